@@ -47,7 +47,7 @@ Model host_computer() {
       .figures = serial_line() + pace(20e6) +
                  std::vector<Member>{
                      integer("layout", "", "number of the frames", 0, 4294967295.0),
-                     text("values", "of a frame: a letter each, as `struct` of Python has them; `v`: validity")},
+                     text("values", "of a frame: a letter for each, as in Python's `struct`; `v` is a validity byte")},
       .clock_tolerance_ppm = kWakePpm,
       .verbs = {with_member(Row::stimulus("command", "what the program wants of all that it commands",
                                           {flag("valid", "whether the commands count"),

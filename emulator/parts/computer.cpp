@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -20,7 +21,8 @@ template <class Integer>
 void put_rounded(std::vector<std::uint8_t>& bytes, double value) {
   using Limits = std::numeric_limits<Integer>;
   const double least = static_cast<double>(Limits::min()), most = static_cast<double>(Limits::max());
-  put(bytes, static_cast<std::make_unsigned_t<Integer>>(static_cast<Integer>(std::clamp(value, least, most))));
+  put(bytes,
+      static_cast<std::make_unsigned_t<Integer>>(static_cast<Integer>(std::clamp(std::round(value), least, most))));
 }
 
 void put_value(std::vector<std::uint8_t>& bytes, char letter, const Orders& orders) {
@@ -78,7 +80,7 @@ Computer::Computer(World& world, Usart& usart, const SerialFormat& format, Link 
 
 void Computer::send() {
   world_.after(period_, [this] { send(); });
-  if (silent) return;
+  if (silent || usart_.is_receiving()) return;
   std::vector<std::uint8_t> frame = command_frame(link_.layout, sequence_++, link_.values, orders);
   Tag sample = Tag::none;
   if (damaged_frames != 0) {

@@ -23,6 +23,7 @@ struct Orders {
 std::vector<std::uint8_t> command_frame(std::uint32_t layout, std::uint8_t sequence, const std::string& values,
                                         const Orders& orders);
 
+/// A frame that is due while the one before is still on its way is left out.
 class Computer {
  public:
   struct Link {

@@ -24,7 +24,7 @@ class TimingCheck {
     }
     for (std::size_t i = 0; type_.frames && i < type_.frames->size(); ++i)
       check_stage((*type_.frames)[i], {"frames", std::to_string(i), "stage"});
-    if (type_.acquisition && type_.acquisition->interval) check_samples_come(*type_.acquisition->interval);
+    if (const auto interval = shortest_interval()) check_samples_come(*interval);
     for (std::size_t i = 0; i < type_.interrupts.size(); ++i) {
       const Interrupt& interrupt = type_.interrupts[i];
       check_interval(interrupt.is_autonomous, interrupt.min_interval.has_value(), {"interrupts", std::to_string(i)});
@@ -33,6 +33,15 @@ class TimingCheck {
   }
 
  private:
+  /// Of samples.
+  [[nodiscard]] std::optional<Duration> shortest_interval() const {
+    if (!type_.acquisition || type_.acquisition->interval_param.empty())
+      return type_.acquisition ? type_.acquisition->interval : std::nullopt;
+    const ParamSpec* spec = find_spec(type_.params, type_.acquisition->interval_param);
+    return spec != nullptr && spec->min ? std::optional(nanoseconds(static_cast<std::int64_t>(*spec->min)))
+                                        : std::nullopt;
+  }
+
   void check_model(const Acquisition& acquisition) const {
     if (acquisition.model == Acquisition::Model::streamed) {
       check_rate(acquisition);
@@ -137,7 +146,8 @@ class TimingCheck {
   /// That a frame can be sent so.
   void check_stage(const Frame& frame, const JsonPath& path) const {
     const auto is_output = [](BusKind kind) { return bus_type(kind).channels == BusType::Channels::outputs; };
-    const bool is_pulse = frame.use.empty() && std::any_of(type_.buses.begin(), type_.buses.end(), is_output);
+    const bool is_pulse =
+        frame.use.empty() && !type_.buses.empty() && std::all_of(type_.buses.begin(), type_.buses.end(), is_output);
     if (frame.stage == FrameStage::flush && frame.shared.empty() && !is_pulse) {
       found_
           .add(path, "a frame of stage 'flush' is one that several devices fill: it needs \"identifier\", on a CAN bus")
@@ -153,7 +163,9 @@ class TimingCheck {
       found_.add(path, fmt::format("nothing comes by itself over a bus of kind '{}'", bus_type(kinds.front()).name));
     } else if (!type_.acquisition) {
       found_.add(path, "a part that sends by itself needs \"acquisition\": how old a sample is when it is read")
-          .hint("for a frame every 10 ms: \"acquisition\": { \"model\": \"streamed\", \"interval_ns\": 10000000 }");
+          .hint(
+              "for a frame every 10 ms, also where nobody looks at it: \"acquisition\": { \"model\": \"streamed\", "
+              "\"interval_ns\": 10000000 }");
     }
   }
 

@@ -22,12 +22,12 @@ struct RepeatSpec {
   std::int64_t least_divider = 1, most_divider = 1;
 };
 
-/// A part that provides buses and is no device.
 /// How long a driver's flush() takes at most.
 struct FlushTime {
   Duration once, per_channel;  ///< `per_channel`: from the first to the last that is used
 };
 
+/// A part that provides buses and is no device.
 struct ExpanderType {
   enum class Kind {
     mux,     ///< each `<channel>` is a segment of the bus it sits on; no object, but the way of what is behind it

@@ -109,7 +109,7 @@ class Planner {
     for (LinkItem& item : items) {
       const unsigned size = stamp + size_of(item.fields);
       if (head + size > kMaxPayload) report(link, fmt::format("'{}' needs {} bytes", item.name, size));
-      if (used + size > kMaxPayload) {
+      if (used > head && used + size > kMaxPayload) {
         ++block;
         used = head;
       }

@@ -35,7 +35,8 @@ std::int64_t sum_over_answers(const Robot& robot, const Device& device, BusId li
     if (frame.stage == FrameStage::autonomous || frame.read_bytes == 0) continue;
     const auto use = std::find_if(device.uses.begin(), device.uses.end(),
                                   [&](const Use& each) { return each.spec->role == frame.use; });
-    const auto segment = use != device.uses.end() ? use->segment : device.segment;
+    const auto of_use = use != device.uses.end() ? use->segment : std::nullopt;
+    const auto segment = frame.use.empty() ? device.segment : of_use;
     if (segment && robot.segments[*segment].bus == line) sum += kJobs * count(frame);
   }
   return sum;

@@ -15,11 +15,12 @@ std::int64_t frames_in(const Robot& robot, const Device& device, Duration window
 std::int64_t most_frames(const Robot& robot, const Device& device);
 
 /// Line events (idle lines, damaged bytes) that a serial line lets interrupt from one look of its device to the next:
-/// the ends of all frames there can be in two periods. 0 for a line that no device is on.
+/// the ends of all frames there can be in two periods, answers to its questions among them. 0 for a line that no device
+/// is on.
 std::int64_t line_events(const Robot& robot, BusId line);
 
-/// Bytes that a serial line brings from one look of its device to the next: the frames there can be in two periods. A
-/// usual number where nobody says what comes.
+/// Bytes that a serial line brings from one look of its device to the next: the frames there can be in two periods,
+/// answers among them. A usual number where nobody says what comes.
 std::int64_t received_bytes(const Robot& robot, BusId line);
 
 /// Size of the ring that keeps them: a power of two.

@@ -15,7 +15,8 @@ struct ProcessResult {
 };
 
 /// Looks `command[0]` up in PATH, gives it no input, and waits at most `limit`; then the whole process group is killed.
-/// `environment` adds NAME=value to the inherited ones, and takes NAME away. Output beyond 256 MiB is dropped.
+/// Of `environment`, NAME=value is set beside the inherited ones, and NAME alone is removed. Output beyond 256 MiB is
+/// dropped.
 ProcessResult run_process(const std::vector<std::string>& command, std::chrono::seconds limit,
                           const std::vector<std::string>& environment = {});
 

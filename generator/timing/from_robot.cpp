@@ -146,10 +146,11 @@ Model model_of(const Robot& robot, const Forest& forest, const Schedule& schedul
     const Rank place = model.devices.push_back(make_device(robot, forest, id, options));
     if (device.type != nullptr) traffic.add_device(device, place);
   }
-  if (!robot.computed) add_crossings(robot, forest, schedule, model);  // else they run before stages
+  const bool is_computed = robot.computed && !robot.computed->is_guess;
+  if (!is_computed) add_crossings(robot, forest, schedule, model);  // else they run before stages
   add_flushes(robot, forest, schedule, places, traffic, model);
   traffic.settle();
-  if (!robot.computed) add_supervision(robot, model);
+  if (!is_computed) add_supervision(robot, model);
   return model;
 }
 

@@ -19,6 +19,7 @@ constexpr Duration kAnyDistance = nanoseconds(1);
 struct Unit {
   FrameStage stage = FrameStage::update;
   WireUse use;
+  bool reads = false, writes = false;
 };
 
 /// In the order of their stages' names: frames of one unit of one stage together, those of unit 0 alone.
@@ -30,6 +31,8 @@ std::vector<Unit> units_of(const Robot& robot, const gen::Device& device, const 
     Unit& unit = units[{to_string(frame.stage), frame.unit > 0 ? frame.unit : alone--}];
     unit.stage = frame.stage;
     unit.use.add(rate, frame.write_bytes, frame.read_bytes);
+    unit.reads = unit.reads || frame.read_bytes > 0;
+    unit.writes = unit.writes || frame.write_bytes > 0;
     if (frame.stage != FrameStage::autonomous) continue;
     const Duration apart = shortest_interval(robot, device, frame).value_or(device.period);
     const bool is_first = unit.use.min_interval == Duration::zero();
@@ -103,25 +106,20 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
     add_transfer(place, *bus, unit.stage, unit.use);
     Transfer& transfer = model_.devices[place].transfers.back();
     if (unit.stage == FrameStage::autonomous) transfer.wire = longest_of_bits(robot_, device, transfer.wire);
-    const auto any = [&](std::int64_t Frame::*bytes) {
-      return std::any_of(frames.begin(), frames.end(),
-                         [&](const Frame& frame) { return frame.stage == unit.stage && frame.*bytes > 0; });
-    };
-    transfer.reads = unit.stage != FrameStage::autonomous && any(&Frame::read_bytes);
-    transfer.writes = unit.stage != FrameStage::autonomous && any(&Frame::write_bytes);
+    transfer.reads = unit.stage != FrameStage::autonomous && unit.reads;
+    transfer.writes = unit.stage != FrameStage::autonomous && unit.writes;
+    transfer.command = unit.stage == FrameStage::handle && unit.writes && model_.devices[place].takes_command;
     if (connection.use == nullptr) transfer.identifier = own_identifier(device, frames, unit.stage);
   }
 }
 
-/// Where nothing of an actuator leaves after handle(), its command may leave with what the next update() sends.
+/// Where nothing leaves after handle(), a command may leave with what the next update() sends.
 void Traffic::mark_late_commands(const gen::Device& device, Rank place) {
   Device& own = model_.devices[place];
   const auto is_command = [](const Transfer& transfer) { return transfer.command; };
-  const bool has_output = std::any_of(device.type->buses.begin(), device.type->buses.end(), [](BusKind kind) {
-    return bus_type(kind).channels == BusType::Channels::outputs;
-  });
-  const bool is_shared = shared_frame_of(device).has_value();
-  if (!device.type->actuator || has_output || is_shared) return;
+  const bool has_output =
+      device.segment && bus_type(robot_.segments[*device.segment].bus_kind).channels == BusType::Channels::outputs;
+  if (!own.takes_command || has_output || shared_frame_of(device)) return;
   if (std::any_of(own.transfers.begin(), own.transfers.end(), is_command)) return;
   for (Transfer& transfer : own.transfers)
     transfer.command = transfer.after == Transfer::After::update && transfer.writes;
@@ -149,7 +147,6 @@ void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const Wir
   transfer.after = after(stage);
   transfer.min_interval = by_itself ? use.min_interval : Duration::zero();
   transfer.receive = by_itself && bus_type(robot_.buses[places_.buses()[bus]].kind).has_two_lines;
-  transfer.command = stage == FrameStage::handle && model_.devices[place].takes_command;
   model_.devices[place].transfers.push_back(transfer);
   if (by_itself) {
     allow(bus, DriverSource::Counts::received, {place, use.ends, 1, use.min_interval});

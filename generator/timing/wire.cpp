@@ -28,11 +28,11 @@ Duration dated_early(const Model& model, BusPlace place) {
   return ceil_div(seconds(1), bus.baud_bps) + routine + model.costs.interrupt;
 }
 
-/// Whether this transfer can bring a sample: one that reads, where some do. Of a device that does not say, one with a
-/// command does so only if it asks for nothing in update().
+/// Whether this transfer can bring a sample: one that reads. Where none is known to, as of a model in a file, any that
+/// carries no command, or all where nothing is asked for in update().
 bool measures(const Device& device, const Transfer& transfer) {
   const auto reads = [](const Transfer& other) { return other.reads; };
-  if (std::any_of(device.transfers.begin(), device.transfers.end(), reads)) return transfer.reads || !transfer.command;
+  if (std::any_of(device.transfers.begin(), device.transfers.end(), reads)) return transfer.reads;
   const auto is_of_update = [](const Transfer& other) { return other.after == Transfer::After::update; };
   return !transfer.command || std::none_of(device.transfers.begin(), device.transfers.end(), is_of_update);
 }

@@ -9,8 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "generator/xml/read_source.hpp"
-
 namespace finemote::gen {
 namespace {
 
@@ -18,6 +16,8 @@ namespace fs = std::filesystem;
 
 /// Files at most: somebody may include a file of another name in every file.
 constexpr std::size_t kMostFiles = 10'000;
+/// Of a file: what is larger is data, and no source.
+constexpr std::size_t kMostBytes = std::size_t{8} << 20;
 
 void skip_spaces(std::string_view& line) {
   const std::size_t first = line.find_first_not_of(" \t");
@@ -31,26 +31,35 @@ bool skip(std::string_view& line, std::string_view word) {
   return true;
 }
 
-/// The name between quotes or brackets that a line `#include`s, or that it gives to a macro, which another line may
-/// include; nothing: it does neither.
-std::optional<std::string> name_in(std::string_view line) {
+struct Name {
+  std::string text;
+  bool is_quoted = false;  ///< else it is in brackets, and is not looked for beside the file
+};
+
+/// The name that a line `#include`s, or that it gives to a macro, which another line may include; nothing: it does
+/// neither.
+std::optional<Name> name_in(std::string_view line) {
   if (!skip(line, "#")) return std::nullopt;
+  bool is_macro = false;
   if (skip(line, "define")) {
+    is_macro = true;
     skip_spaces(line);
     line.remove_prefix(std::min(line.find_first_of(" \t"), line.size()));
-  } else if (!skip(line, "include")) {
+  } else if (!skip(line, "include_next") && !skip(line, "include") && !skip(line, "import")) {
     return std::nullopt;
   }
   skip_spaces(line);
   if (line.empty() || (line.front() != '"' && line.front() != '<')) return std::nullopt;
-  const std::size_t end = line.find(line.front() == '"' ? '"' : '>', 1);
+  const bool is_quoted = line.front() == '"';
+  const std::size_t end = line.find(is_quoted ? '"' : '>', 1);
   if (end == std::string_view::npos || end == 1) return std::nullopt;
-  return std::string(line.substr(1, end - 1));
+  return Name{std::string(line.substr(1, end - 1)), is_quoted || is_macro};
 }
 
-std::vector<std::string> names_in(const std::string& text) {
-  std::vector<std::string> names;
-  std::istringstream lines(text);
+std::vector<Name> names_in(const std::string& text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::vector<Name> names;
+  std::istringstream lines(text.rfind(kByteOrderMark, 0) == 0 ? text.substr(kByteOrderMark.size()) : text);
   for (std::string line; std::getline(lines, line);) {
     if (auto name = name_in(line)) names.push_back(std::move(*name));
   }
@@ -65,7 +74,7 @@ class Search {
   }
 
   void look_through(const SourceText& source) {
-    for (const std::string& name : names_in(source.text)) find(name, source.path);
+    for (const Name& name : names_in(source.text)) find(name, source.path);
   }
   [[nodiscard]] const std::vector<SourceText>& found() const { return found_; }
 
@@ -75,10 +84,10 @@ class Search {
     return fs::weakly_canonical(path, ignored).generic_string();
   }
 
-  void find(const std::string& name, const fs::path& by) {
-    if (!by.empty() && take(name, by.parent_path() / name)) return;
+  void find(const Name& name, const fs::path& by) {
+    if (name.is_quoted && !by.empty() && take(name.text, by.parent_path() / name.text)) return;
     for (const std::string& folder : folders_) {
-      if (take(name, fs::path(folder) / name)) return;
+      if (take(name.text, fs::path(folder) / name.text)) return;
     }
   }
 
@@ -86,8 +95,9 @@ class Search {
   bool take(const std::string& name, const fs::path& path) {
     if (access_.why_not(path.string())) return false;
     if (found_.size() == kMostFiles || !seen_.insert(real(path)).second) return true;
-    if (auto text = access_.read(path.string(), xml::kMaxFileSize))
-      found_.push_back({name, path.string(), std::move(*text)});
+    std::string text =
+        access_.read(path.string(), kMostBytes).value_or(std::string());  // empty: larger than any source
+    found_.push_back({name, path.string(), std::move(text)});
     return true;
   }
 

@@ -1,4 +1,4 @@
-// Which files the sources of a robot's own device types include from outside of their folders.
+// Which files the sources of a robot's own device types include.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ bool has_source_name(const std::string& name);
 /// What `sources` include, what that includes, and so on, each file once; `sources` themselves are not in it. A line
 /// that a compiler leaves out counts as well, for no `#if` is evaluated. What is found neither beside the file that
 /// includes it nor in `folders` belongs to the runtime or to the compiler. A macro that stands for a name counts as
-/// included.
+/// included. Directives over several lines, or with a comment before their name, are not followed.
 /// @param folders  what the compiler looks through, in this order
 std::vector<SourceText> included_files(const std::vector<SourceText>& sources, const std::vector<std::string>& folders,
                                        const files::Access& access);

@@ -12,7 +12,7 @@ namespace {
 enum SpiFault : std::uint8_t { kTransferError = 1, kOverdue };
 
 constexpr Duration kDeadlineSlack = 300 * kMicrosecond;
-/// Without a DMA every byte waits for an interrupt, and those of other buses come in between.
+/// Where there is no DMA every byte waits for an interrupt, and those of other buses come in between.
 constexpr Duration kByteSlack = 3 * kMicrosecond;
 
 }  // namespace
