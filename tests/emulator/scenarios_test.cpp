@@ -279,7 +279,7 @@ TEST_CASE("bounds hold with every fetch from flash missed when execution times a
   INFO(holds.output);
   CHECK(holds.exit_status == 0);
   CHECK(holds.output.find("FM6006") == std::string::npos);
-  CHECK(holds.output.find("bounds are those of the execution times that are declared") != std::string::npos);
+  CHECK(holds.output.find("bounds are those of the execution times that the robot has") != std::string::npos);
 
   const std::string tight = R"(<wcet update="22us" handle="22us" source="measured"/>)";
   CHECK(run(robot_with(tight, tight), "hit").output.find("FM6006") == std::string::npos);
