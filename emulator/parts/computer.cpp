@@ -42,7 +42,7 @@ void put_value(std::vector<std::uint8_t>& bytes, char letter, const Orders& orde
     case 'I':
       return put_rounded<std::uint32_t>(bytes, orders.value);
     case 'q':
-      return put_rounded<std::int32_t>(bytes, orders.value), put(bytes, orders.value < 0 ? ~0U : 0U);
+      return put_rounded<std::int64_t>(bytes, orders.value);
     default:
       return put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(orders.value)));
   }

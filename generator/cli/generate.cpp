@@ -103,7 +103,7 @@ bool are_apart(const Options& options, const Output& output, const Robot& robot,
   if (!options.depfile.empty()) planned.push_back({options.depfile, "--depfile"});
   const bool is_fine = check_outputs(planned, sources, diagnostics);
   if (options.depfile.empty() || !is_fine) return is_fine;
-  const std::vector<std::string> compiled = user_files(user_include_dirs(robot), sources.access());
+  const std::vector<std::string> compiled = user_files(robot, sources.access());
   return check_outputs({{options.depfile, "--depfile"}}, sources, diagnostics, compiled);
 }
 

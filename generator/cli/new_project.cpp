@@ -89,7 +89,7 @@ std::vector<std::string> paths_of_robot(const std::string& data_dir, const Robot
       if (entry.is_regular_file()) paths.push_back(entry.path().generic_string());
     }
   }
-  for (std::string& path : user_files(user_include_dirs(robot), sources.access())) paths.push_back(std::move(path));
+  for (std::string& path : user_files(robot, sources.access())) paths.push_back(std::move(path));
   return paths;
 }
 

@@ -5,7 +5,6 @@
 #include "generator/cli/saved_document.hpp"
 #include "generator/cli/subject.hpp"
 #include "generator/diagnostic/clash.hpp"
-#include "generator/model/firmware_inputs.hpp"
 #include "generator/report/page.hpp"
 #include "generator/simulate/json.hpp"
 #include "generator/timing/operands.hpp"
@@ -75,7 +74,7 @@ Answer run_report(const Options& options, Sources& sources, Diagnostics& diagnos
   report::Json against = earlier_timing(options, robot_options, question, sources, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   if (!check_results({{options.out, "-o"}}, sources, diagnostics,
-                     user_files(user_include_dirs(subject->planned->robot), sources.access())))
+                     user_files(subject->planned->robot, sources.access())))
     return no_answer();
 
   const auto& [library, robot, forest, schedule, timing_file] = *subject->planned;

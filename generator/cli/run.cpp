@@ -308,7 +308,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (diagnostics.has_errors()) return no_answer();
   const FaultTable faults = load_fault_table(input->data_dir);
   const std::vector<PlannedFile> results{{options.out, "-o"}, {options.audit, "--audit"}, {options.json, "--json"}};
-  const auto read = user_files(user_include_dirs(robot), sources.access());
+  const auto read = user_files(robot, sources.access());
   if (!check_results(results, sources, diagnostics, read, options.keep)) return no_answer();
   const WorkFolder work(options.keep, diagnostics);
   if (diagnostics.has_errors()) return no_answer();

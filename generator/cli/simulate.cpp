@@ -7,7 +7,6 @@
 #include "generator/cli/subject.hpp"
 #include "generator/diagnostic/clash.hpp"
 #include "generator/file/replace_file.hpp"
-#include "generator/model/firmware_inputs.hpp"
 #include "generator/simulate/json.hpp"
 #include "generator/timing/table.hpp"
 #include "generator/timing/text_table.hpp"
@@ -77,8 +76,8 @@ Answer run_simulate(const Options& options, Sources& sources, Diagnostics& diagn
   request.requirements = subject->requirements;
 
   const bool is_traced = !options.out.empty();
-  const auto read = subject->planned ? user_files(user_include_dirs(subject->planned->robot), sources.access())
-                                     : std::vector<std::string>();
+  const auto read =
+      subject->planned ? user_files(subject->planned->robot, sources.access()) : std::vector<std::string>();
   if (!check_results({{options.out, "-o"}}, sources, diagnostics, read)) return no_answer();
   std::optional<ReplacedFile> trace;
   if (is_traced) trace.emplace(options.out);

@@ -69,7 +69,7 @@ Answer answer_of(const Options& options, const TimedRobot& timed, Diagnostics& d
 
 /// Beside the robot's description.
 std::vector<std::string> files_read(const Robot& robot, const Options& options, const Sources& sources) {
-  std::vector<std::string> files = user_files(user_include_dirs(robot), sources.access());
+  std::vector<std::string> files = user_files(robot, sources.access());
   if (!options.elf.empty()) files.push_back(options.elf);
   return files;
 }

@@ -126,11 +126,11 @@ void check_streams(const DeviceType& type, const Contradictions& found) {
     const Frame& frame = (*type.frames)[i];
     const bool is_answer = frame.stage != FrameStage::autonomous;
     if (is_answer && (!frame.use.empty() || frame.read_bytes == 0)) continue;
+    if (is_answer && !type.receives.empty()) continue;  // it may have the identifier of another frame
     if (left > 0) {
-      if (!is_answer) --left;  // answers may have the identifier of another one
+      --left;
       continue;
     }
-    if (is_answer && !type.receives.empty()) continue;
     found.add({"frames", std::to_string(i), "stage"},
               fmt::format("the part sends this frame{}, and \"receives\" has no identifier for it: the driver of a CAN "
                           "bus stamps frames by all that keep it busy",

@@ -74,7 +74,8 @@ class Search {
   }
 
   void look_through(const SourceText& source) {
-    for (const Name& name : names_in(source.text)) find(name, source.path);
+    const fs::path by = source.path;  // finding may move `source`
+    for (const Name& name : names_in(source.text)) find(name, by);
   }
   [[nodiscard]] const std::vector<SourceText>& found() const { return found_; }
 
@@ -121,10 +122,7 @@ std::vector<SourceText> included_files(const std::vector<SourceText>& sources, c
                                        const files::Access& access) {
   Search search(sources, folders, access);
   for (const SourceText& source : sources) search.look_through(source);
-  for (std::size_t i = 0; i < search.found().size(); ++i) {
-    const SourceText file = search.found()[i];  // a copy: more may be found
-    search.look_through(file);
-  }
+  for (std::size_t i = 0; i < search.found().size(); ++i) search.look_through(search.found()[i]);
   return search.found();
 }
 

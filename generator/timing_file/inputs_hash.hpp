@@ -18,8 +18,8 @@ struct TimingInputs {
 };
 
 /// SHA-256 of the cost model, the board, the generated sources without the names of the files they were made from, the
-/// runtime, the user's sources, what these include, and the compiler's options. The compiler is not in
-/// it: it stands beside.
+/// runtime, the user's sources, what these include, and the compiler's options. The compiler is not in it: it stands
+/// beside.
 /// @param access  to the user's folders
 std::string timing_hash(const TimingInputs& inputs, const files::Access& access);
 

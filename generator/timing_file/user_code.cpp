@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "generator/model/firmware_inputs.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -44,7 +45,8 @@ std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, cons
   return compiled;
 }
 
-std::vector<std::string> user_files(const std::vector<std::string>& folders, const files::Access& access) {
+std::vector<std::string> user_files(const Robot& robot, const files::Access& access) {
+  const std::vector<std::string> folders = user_include_dirs(robot);
   std::vector<SourceText> all;
   for (const std::string& folder : folders) append(all, sources_in(folder, access));
   append(all, included_files(all, folders, access));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "generator/emit/render.hpp"
+#include "generator/model/robot.hpp"
 #include "generator/timing_file/included_files.hpp"
 
 namespace finemote::gen {
@@ -15,8 +16,8 @@ namespace finemote::gen {
 std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, const std::vector<std::string>& folders,
                                   const files::Access& access);
 
-/// Paths of all that the compiler may read of `folders`: every source and header that lies in them, and what these
-/// include, whatever it is called.
-std::vector<std::string> user_files(const std::vector<std::string>& folders, const files::Access& access);
+/// Paths of all that the compiler may read of the folders of a robot's own device types: every source and header that
+/// lies in them, and what these include, whatever it is called.
+std::vector<std::string> user_files(const Robot& robot, const files::Access& access);
 
 }  // namespace finemote::gen
