@@ -41,16 +41,6 @@ void take_timing_file(const Input& input, PlannedRobot& planned, Sources& source
   planned.timing_file = {use_timing_file(*file, question, planned.robot, diagnostics), file->at, path, file->compiler};
 }
 
-/// Mistakes are reported by whoever writes the files.
-void note_command_frames(PlannedRobot& planned, const std::string& data_dir) {
-  const auto& devices = planned.robot.devices;
-  const auto is_link = [](const Device& device) { return !device.type->link_role.empty(); };
-  if (std::none_of(devices.begin(), devices.end(), is_link)) return;
-  Diagnostics said;
-  for (const DeviceLink& link : plan_links(planned.plan(), shipped_interfaces(data_dir), said))
-    planned.robot.devices[link.device].commands = command_frame(link);
-}
-
 }  // namespace
 
 std::optional<PlannedRobot> plan_robot(const Input& input, Sources& sources, Diagnostics& diagnostics) {
@@ -65,9 +55,17 @@ std::optional<PlannedRobot> plan_robot(const Input& input, Sources& sources, Dia
   Schedule schedule = plan_schedule(*robot, forest, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   PlannedRobot planned{std::move(*library), std::move(*robot), std::move(forest), std::move(schedule)};
-  note_command_frames(planned, input.data_dir);
   if (!input.without_timing_file) take_timing_file(input, planned, sources, diagnostics);
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(planned));
+}
+
+void note_command_frames(PlannedRobot& planned, const std::string& data_dir) {
+  const auto& devices = planned.robot.devices;
+  const auto is_link = [](const Device& device) { return !device.type->link_role.empty(); };
+  if (std::none_of(devices.begin(), devices.end(), is_link)) return;
+  Diagnostics said;  // by whoever writes the files
+  for (const DeviceLink& link : plan_links(planned.plan(), shipped_interfaces(data_dir), said))
+    planned.robot.devices[link.device].commands = command_frame(link);
 }
 
 std::string timing_hash_of(const PlannedRobot& planned, const std::string& data_dir, const files::Access& access) {

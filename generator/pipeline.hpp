@@ -34,6 +34,9 @@ struct PlannedRobot {
 /// one there is no robot.
 std::optional<PlannedRobot> plan_robot(const Input& input, Sources& sources, Diagnostics& diagnostics);
 
+/// Notes at every link what a computer sends down to it: for those who play the computer.
+void note_command_frames(PlannedRobot& planned, const std::string& data_dir);
+
 /// What the instructions of the robot's image are made from, its generated files without bounds included:
 /// timing_hash().
 std::string timing_hash_of(const PlannedRobot& planned, const std::string& data_dir, const files::Access& access);

@@ -301,6 +301,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (options.dump) return dump_robot(options, *input, {}, sources, diagnostics);
   auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return no_answer();
+  note_command_frames(*planned, input->data_dir);
   const auto& [library, robot, forest, schedule, timing_file] = *planned;
   const auto setup = setup_of(options, *planned, sources, diagnostics);
   if (!setup || !has_parts(robot, *setup, options.build_only, diagnostics)) return no_answer();

@@ -117,7 +117,7 @@ struct Device {
   std::vector<Read> reads;         ///< document order
   std::vector<DeviceId> children;  ///< document order of start tags (nested and `parent=` together)
   Wcet wcet;
-  std::optional<CommandFrame> commands;  ///< of a link with commands; known once the schedule is
+  std::optional<CommandFrame> commands;  ///< of a link with commands, where somebody plays the computer
   Position at;                           ///< start tag
   Position period_at;
 };
