@@ -4,6 +4,7 @@
 
 #include "generator/image/transfer.hpp"
 #include "generator/wcet/operands.hpp"
+#include "generator/wcet/presumed_return.hpp"
 
 namespace finemote::gen::wcet {
 namespace {
@@ -19,7 +20,7 @@ class Leaving {
     const Transfer transfer = transfer_of(last);
     switch (transfer.kind) {
       case TransferKind::next:
-        return end_.block.call ? call(machine_, end_.cost.fall(last)) : edges(end_.cost.fall(last));
+        return end_.block.call ? call(machine_, end_.cost.fall(last)) : edges(machine_, end_.cost.fall(last));
       case TransferKind::call:
       case TransferKind::indirect:
         return call_by(last);
@@ -30,8 +31,8 @@ class Leaving {
 
  private:
   /// All edges alike: there is one, which the next instruction follows.
-  void edges(Cycles cost) {
-    for (const FlowEdge& edge : end_.block.edges) step_.ways.push_back({Way::Kind::edge, edge.to, machine_, cost});
+  void edges(const Machine& machine, Cycles cost) {
+    for (const FlowEdge& edge : end_.block.edges) step_.ways.push_back({Way::Kind::edge, edge.to, machine, cost});
   }
 
   /// `bl` was passed as an ordinary instruction, so that the link register is set, unless it is in an IT block.
@@ -91,12 +92,17 @@ class Leaving {
     const auto target = call.target ? call.target : target_of(*end_.function.body.at(call.at), machine);
     if (!target) {
       step_.problem = {call.at, fmt::format("'{}' calls what a variable says", end_.function.body.at(call.at)->text)};
-      return;
+      return go_on_behind(call, machine);
     }
     const bool is_jump = cost == 0;
     Way way{Way::Kind::call, *target & ~1U, machine, is_jump ? end_.cost.jump(*target & ~1U) : cost, call.is_tail};
     if (!call.is_tail) way.behind = end_.block.edges.empty() ? 0 : end_.block.edges.front().to;
     step_.ways.push_back(std::move(way));
+  }
+
+  void go_on_behind(const FlowCall& call, const Machine& machine) {
+    if (!call.is_tail) return edges(presumed_return(machine), 0);
+    step_.ways.push_back({Way::Kind::leave, 0, presumed_return(machine)});
   }
 
   std::optional<std::uint32_t> target_of(const Instruction& i, const Machine& machine) const {

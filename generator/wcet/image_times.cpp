@@ -25,11 +25,20 @@ std::string name_of(const ProgramFunction* function) {
 /// Run-time ABI for the Arm architecture (IHI 0043), 4.1.2.
 bool is_double_arithmetic(const std::string& function) { return function.rfind("__aeabi_d", 0) == 0; }
 
+/// Arithmetic on 'double' is what its caller does, wherever in it the way was lost.
+void blame_caller(TimeGap& gap) {
+  while (is_double_arithmetic(gap.function) && !gap.calls.empty()) {
+    gap.address = gap.calls.front().address;
+    gap.function = gap.calls.front().function;
+    gap.calls.erase(gap.calls.begin());
+    gap.why = "arithmetic on 'double' has no bound on this core: use 'float', and write constants as 0.5F";
+  }
+}
+
 TimeGap gap_of(const WalkProblem& problem) {
   TimeGap gap{problem.address, name_of(problem.function), problem.why};
-  if (is_double_arithmetic(gap.function))
-    gap.why = "arithmetic on 'double' has no bound on this core: use 'float', and write constants as 0.5F";
   for (const CallSite& call : problem.calls) gap.calls.push_back({call.address, name_of(call.function)});
+  blame_caller(gap);
   return gap;
 }
 
@@ -47,14 +56,13 @@ class Timing {
  private:
   void add(const Vector& vector) {
     const Walked walked = prepared_.walk_from(vector.entry);
-    for (const auto& [address, problem] : walked.problems) gaps_.try_emplace(address, gap_of(problem));
+    for (const auto& [address, problem] : walked.problems) add(gap_of(problem));
     if (!walked.problems.empty()) return;
     const auto path = longest_path(walked.graph);
     const std::string doubt =
         path ? check_certificate(walked.graph, path->potentials, path->bound) : "no way leads out";
     if (!doubt.empty()) {
-      gaps_.try_emplace(vector.entry, TimeGap{vector.entry, name_of(prepared_.program().at(vector.entry)), doubt});
-      return;
+      return add(TimeGap{vector.entry, name_of(prepared_.program().at(vector.entry)), doubt});
     }
     RoutineTime routine{
         vector.exception, name_of(prepared_.program().at(vector.entry)), path->bound, {}, {}, {}, {}, {}, {}};
@@ -70,6 +78,8 @@ class Timing {
     take_retries(walked, times_.retries);
     times_.routines.push_back(std::move(routine));
   }
+
+  void add(TimeGap gap) { gaps_.try_emplace(gap.address, std::move(gap)); }
 
   void add_brackets(const Walked& walked, const UnrolledGraph& undisturbed, RoutineTime& routine) const {
     for (const std::uint32_t mark : begun_in(walked.graph)) {

@@ -25,7 +25,7 @@ struct Way {
 struct Step {
   Cycles cost = 0;
   std::vector<Way> ways;  ///< only those that the machine allows
-  /// Place and reason where there is no bound.
+  /// Place and reason where there is no bound. The ways that are there all the same may lead to further places.
   std::optional<std::pair<std::uint32_t, std::string>> problem;
 };
 

@@ -12,6 +12,7 @@
 #include "generator/wcet/loop_nests.hpp"
 #include "generator/wcet/mark_passes.hpp"
 #include "generator/wcet/masking.hpp"
+#include "generator/wcet/presumed_return.hpp"
 #include "generator/wcet/step.hpp"
 
 namespace finemote::gen::wcet {
@@ -104,6 +105,14 @@ std::optional<std::pair<std::uint32_t, std::string>> refusal_of(const Frame& fra
   return {{*place, "interrupts are kept out, and what that delays has no bound"}};
 }
 
+Machine at_entry(std::uint32_t stack_top) {
+  Machine machine;
+  for (int reg = ARM_REG_R0; reg <= ARM_REG_R12; ++reg) machine.set(reg, Value::in(Interval::any()));
+  machine.set(ARM_REG_SP, Value::place(stack_top));
+  machine.set(ARM_REG_LR, Value::in(kExceptionReturn));
+  return machine;
+}
+
 /// Its number.
 std::size_t add_node(UnrolledNode node, Walked& walked) {
   walked.graph.nodes.push_back(std::move(node));
@@ -137,24 +146,21 @@ class CallChain {
 
 class Walker {
  public:
-  explicit Walker(const ImageFactsForWalk& facts) : facts_(facts), waits_(facts.marks) {}
+  explicit Walker(const ImageFactsForWalk& facts)
+      : facts_(facts), goes_on_(facts.stores == nullptr), waits_(facts.marks) {}
 
   Walked result(std::uint32_t entry) {
-    Machine machine;
-    for (int reg = ARM_REG_R0; reg <= ARM_REG_R12; ++reg) machine.set(reg, Value::in(Interval::any()));
-    machine.set(ARM_REG_SP, Value::place(facts_.stack_top));
-    machine.set(ARM_REG_LR, Value::in(kExceptionReturn));
-    const auto end = enter(entry, Arrival{std::move(machine), {}}, entry, nullptr);
-    if (walked_.graph.nodes.size() > kMostNodes)
+    const auto end = enter(entry, Arrival{at_entry(facts_.stack_top), {}}, entry, nullptr);
+    if (walked_.graph.nodes.size() > kMostNodes && walked_.problems.empty())
       fail(entry, facts_.program.at(entry), "too many ways through it: bound its loops more tightly");
-    if (end) {
-      for (const UnrolledEdge& edge : end->from) walked_.graph.exits.push_back(edge.from);
-    }
+    for (const UnrolledEdge& edge : end ? end->from : std::vector<UnrolledEdge>{})
+      walked_.graph.exits.push_back(edge.from);
     return std::move(walked_);
   }
 
  private:
   void fail(std::uint32_t address, const ProgramFunction* function, std::string why) {
+    ++failures_;
     walked_.problems.try_emplace(address, WalkProblem{address, function, std::move(why), chain_.sites()});
   }
 
@@ -208,11 +214,8 @@ class Walker {
     if (const auto reg = counter_of(frame, index, facts_.marks)) return count_down(frame, index, *reg);
     const Loop& loop = frame.nest.loops()[index];
     const auto rounds = go_round(frame, index);
-    if (!rounds) {
-      frame.arrivals[loop.header].reset();
-      if (walked_.graph.nodes.size() <= kMostNodes)
-        fail(loop.header, &frame.function, why_endless(frame.nest, index, facts_.marks));
-    }
+    if (!rounds && walked_.graph.nodes.size() <= kMostNodes)
+      fail(loop.header, &frame.function, why_endless(frame.nest, index, facts_.marks));
     note(frame, loop, rounds.value_or(0), walked_.loops);
   }
 
@@ -225,11 +228,12 @@ class Walker {
       const Machine before = frame.arrivals[loop.header]->machine;
       const std::uint64_t passed = marks_passed(frame, loop);
       go_through(frame, index);
-      const auto& header = frame.arrivals[loop.header];
+      auto& header = frame.arrivals[loop.header];
       if (!header) return rounds;
       const bool is_same =
           before.covers(header->machine) && header->machine.covers(before) && marks_passed(frame, loop) == passed;
-      if (is_same || rounds == kMostRounds || walked_.graph.nodes.size() > kMostNodes) return std::nullopt;
+      if (is_same || rounds == kMostRounds || walked_.graph.nodes.size() > kMostNodes)
+        return header.reset(), std::nullopt;
     }
   }
 
@@ -303,7 +307,8 @@ class Walker {
     const BasicBlock& code = frame.function.graph.blocks.at(block);
     Step step = wcet::step(frame.function, code, {facts_.constants, unknowns_, facts_.stores}, facts_.cost,
                            std::move(arrival.machine));
-    if (step.problem) return fail(step.problem->first, &frame.function, step.problem->second);
+    if (step.problem) fail(step.problem->first, &frame.function, step.problem->second);
+    if (step.problem && !goes_on_) return;
     const std::size_t node = add_node({&frame.function, block, step.cost, std::move(arrival.from)}, walked_);
     for (Way& way : step.ways) follow(frame, code, node, std::move(way));
   }
@@ -318,7 +323,9 @@ class Walker {
       case Way::Kind::call:
         break;
     }
-    auto back = enter(way.to, Arrival{std::move(way.machine), here}, code.call->at, &frame.function);
+    const std::size_t failures = failures_;
+    auto back = enter(way.to, Arrival{way.machine, here}, code.call->at, &frame.function);
+    if (!back && failures_ != failures && goes_on_) back = Arrival{presumed_return(std::move(way.machine)), here};
     if (!back) return;
     back->machine.stack().drop_below(back->machine.get(ARM_REG_SP).range().low);
     if (way.is_tail) return arrive(frame.end, std::move(back->machine), back->from);
@@ -328,8 +335,10 @@ class Walker {
   }
 
   const ImageFactsForWalk& facts_;
+  const bool goes_on_;  ///< behind a problem, to find others; what is presumed there must be no ground of a constant
   Unknowns unknowns_;
   Walked walked_;
+  std::size_t failures_ = 0;
   LoopNests nests_;
   Waits waits_;
   CallChain chain_;

@@ -152,6 +152,25 @@ TEST_CASE("a loop without a bound is named, with its line, and its routine has n
   CHECK(gap["called_from"][0]["file"].get<std::string>().find("generated/") == 0);
 }
 
+TEST_CASE("all that keeps a routine from a bound is named at once, also behind a call that cannot be followed") {
+  const Told told = wcet_of(
+      "reinterpret_cast<void (*)()>(limit_)();\n"
+      "for (std::uint32_t i = 0; i < limit_; ++i) sum_ = sum_ + i;\n"
+      "const double share = 3.0 / limit_; sum_ = static_cast<std::uint32_t>(share);");
+  CHECK(told.status == 1);
+  CHECK(update_cycles(told) == -1);
+  std::map<int, std::string> reasons;
+  for (const Json& gap : told.document["unresolved"]) {
+    CHECK(gap["file"].get<std::string>().find("counter.hpp") != std::string::npos);
+    reasons[gap["line"]] += gap["why"].get<std::string>();
+  }
+  CAPTURE(told.document["unresolved"].dump(1));
+  REQUIRE(reasons.size() == 3);
+  CHECK(reasons[8].find("calls what a variable says") != std::string::npos);
+  CHECK(reasons[9] == "a loop whose rounds are not known: bound it with LoopBound<n>");
+  CHECK(reasons[10].find("arithmetic on 'double' has no bound on this core") == 0);
+}
+
 TEST_CASE("a mark bounds it, and more passes cost more") {
   const auto marked = [](int passes) {
     return wcet_of("const finemote::LoopBound<" + std::to_string(passes) +
