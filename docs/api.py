@@ -29,6 +29,7 @@ PAGES = [
         "any", "battery", "button", "imu", "light", "link", "magnetometer", "motor", "pressure", "remote", "servo",
         "sounder", "thruster")]),
     ("uart", "Serial lines", [FINEMOTE + "uart.hpp"]),
+    ("slots", "States of a slot", [FINEMOTE + "slot_state.hpp"]),
     ("i2c", "I2C slots", [FINEMOTE + "i2c.hpp"]),
     ("spi", "SPI slots", [FINEMOTE + "spi.hpp"]),
     ("can", "CAN slots", [FINEMOTE + "can.hpp"]),

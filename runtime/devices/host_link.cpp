@@ -1,5 +1,6 @@
 #include "finemote/devices/host_link.hpp"
 
+#include "finemote/least.hpp"
 #include "finemote/loop_bound.hpp"
 #include "frame_heads.hpp"
 
@@ -29,8 +30,6 @@ std::uint32_t layout_of(const std::uint8_t* frame) {
   const std::uint8_t* const bytes = frame + kLayoutAt;
   return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
 }
-
-constexpr std::size_t least(std::size_t a, std::size_t b) { return a < b ? a : b; }
 
 /// A sum goes on with a byte. x is what the division by the polynomial leaves of the highest eight bits: x^12 + x^5 + 1
 /// times them and their upper half.

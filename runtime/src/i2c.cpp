@@ -55,10 +55,7 @@ void I2cSlot::end(SlotState result) {
   state_.store(result);
 }
 
-void I2cSlot::count_failure(bool failed) {
-  const std::uint8_t before = failures_.load();
-  failures_.store(static_cast<std::uint8_t>(!failed ? 0 : before == 255 ? 255 : before + 1));
-}
+void I2cSlot::count_failure(bool failed) { failures_.store(failures_after(failures_.load(), failed)); }
 
 // ----------------------------------------------------------------------------------------------------------------- bus
 

@@ -2,6 +2,7 @@
 
 #include "finemote/fault.hpp"
 #include "finemote/four_bytes.hpp"
+#include "finemote/least.hpp"
 #include "finemote/only_after_fault.hpp"
 
 namespace finemote {
@@ -13,8 +14,6 @@ enum Rs485Fault : std::uint8_t { kNoReply = 1, kReceiveHalted };
 
 /// Beyond the wire time of question and answer: how long a part may think.
 constexpr Duration kReplySlack = 2 * kMillisecond;
-
-constexpr std::size_t least(std::size_t a, std::size_t b) { return a < b ? a : b; }
 
 }  // namespace
 
@@ -29,8 +28,7 @@ bool Rs485Slot::start(const std::uint8_t* bytes, std::size_t size, std::size_t r
 }
 
 SlotState Rs485Slot::state() {
-  const SlotState now_ = state_.load();
-  if (now_ == SlotState::kQueued || now_ == SlotState::kActive) bus_->carry_on();
+  if (is_under_way(state_.load())) bus_->carry_on();
   return state_.load();
 }
 
@@ -98,9 +96,7 @@ void Rs485::finish(SlotState result) {
   ++counters_.transfers;
   const bool failed = result != SlotState::kDone;
   if (failed) ++counters_.errors;
-  active_->failures_ = static_cast<std::uint8_t>(!failed                     ? 0
-                                                 : active_->failures_ == 255 ? 255
-                                                                             : active_->failures_ + 1);
+  active_->failures_ = failures_after(active_->failures_, failed);
   active_->state_.store(result);
   active_ = nullptr;
 }

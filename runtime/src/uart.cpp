@@ -2,6 +2,7 @@
 
 #include "finemote/fault.hpp"
 #include "finemote/four_bytes.hpp"
+#include "finemote/least.hpp"
 
 namespace finemote {
 
@@ -18,8 +19,6 @@ constexpr Duration kEventSlack = 2 * kMicrosecond;
 /// rounded up, so that no time it is taken from stays too long. (Dividing 64 bits would cost an image 860 bytes.)
 constexpr int kDeviationScale = 28;
 constexpr std::int64_t kClockDeviation = ((std::int64_t{1} << kDeviationScale) + 21) / 22;
-
-constexpr std::size_t least(std::size_t a, std::size_t b) { return a < b ? a : b; }
 
 constexpr Time later(Time a, Time b) { return a < b ? b : a; }
 

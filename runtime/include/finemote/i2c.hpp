@@ -7,6 +7,7 @@
 #include "finemote/bus_counters.hpp"
 #include "finemote/ports.hpp"
 #include "finemote/single_core.hpp"
+#include "finemote/slot_state.hpp"
 #include "finemote/time.hpp"
 
 namespace finemote {
@@ -22,16 +23,6 @@ struct MuxRoute {
   friend constexpr bool operator==(const MuxRoute& a, const MuxRoute& b) {
     return a.address == b.address && a.channels == b.channels;
   }
-};
-
-/// What became of a slot's last transfer.
-enum class SlotState : std::uint8_t {
-  kIdle,    ///< nothing asked yet
-  kQueued,  ///< waiting for the bus
-  kActive,  ///< on the wire, mux selection included
-  kDone,    ///< ended well; read bytes are valid
-  kNack,    ///< device or mux did not acknowledge
-  kFailed,  ///< bus error, overdue, or refused because the bus is being recovered
 };
 
 /// One device's place on an I2C bus: at most one transfer at a time, mux selection and transfer being one unit.
@@ -57,7 +48,7 @@ class I2cSlot {
   /// What became of the last transfer. Context: any.
   [[nodiscard]] SlotState state() const { return state_.load(); }
   /// A transfer waits or is on the wire: its bytes belong to the bus. Context: any.
-  [[nodiscard]] bool busy() const { return state() == SlotState::kQueued || state() == SlotState::kActive; }
+  [[nodiscard]] bool busy() const { return is_under_way(state()); }
   /// The last transfer ended well. True until the next start(). Context: any.
   [[nodiscard]] bool done() const { return state() == SlotState::kDone; }
 
@@ -66,7 +57,6 @@ class I2cSlot {
 
   /// True after kUnreachableAfter transfers in a row have failed, until one ends well. Context: any.
   [[nodiscard]] bool unreachable() const { return failures_.load() >= kUnreachableAfter; }
-  static constexpr std::uint8_t kUnreachableAfter = 3;  ///< failures in a row
 
   /// The write that makes this device's outputs safe. From now on it is what the bus sends first after start() and
   /// after every recovery, before any other transfer. The bytes are read when it is sent; size 0 takes it back.

@@ -5,10 +5,10 @@
 #include <cstdint>
 
 #include "finemote/bus_counters.hpp"
-#include "finemote/i2c.hpp"
 #include "finemote/mark.hpp"
 #include "finemote/ports.hpp"
 #include "finemote/single_core.hpp"
+#include "finemote/slot_state.hpp"
 #include "finemote/time.hpp"
 
 namespace finemote {
@@ -32,14 +32,11 @@ class Rs485Slot {
   /// What became of the last question. Also carries the bus on. Context: the device's bucket.
   [[nodiscard]] SlotState state();
   /// A question waits or is under way. Also carries the bus on. Context: the device's bucket.
-  [[nodiscard]] bool busy() {
-    const SlotState s = state();
-    return s == SlotState::kQueued || s == SlotState::kActive;
-  }
+  [[nodiscard]] bool busy() { return is_under_way(state()); }
   /// The answer, as many bytes as were asked for; valid in SlotState::kDone. Context: the device's bucket.
   [[nodiscard]] const std::uint8_t* reply() const { return reply_; }
-  /// True after I2cSlot::kUnreachableAfter questions in a row have failed. Context: the device's bucket.
-  [[nodiscard]] bool unreachable() const { return failures_ >= I2cSlot::kUnreachableAfter; }
+  /// True after kUnreachableAfter questions in a row have failed. Context: the device's bucket.
+  [[nodiscard]] bool unreachable() const { return failures_ >= kUnreachableAfter; }
   [[nodiscard]] std::uint8_t id() const { return id_; }              ///< the device's `id` in the URDF
   [[nodiscard]] std::uint8_t priority() const { return priority_; }  ///< 0 is the most urgent
 

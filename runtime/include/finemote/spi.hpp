@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "finemote/bus_counters.hpp"
-#include "finemote/i2c.hpp"
 #include "finemote/ports.hpp"
 #include "finemote/single_core.hpp"
+#include "finemote/slot_state.hpp"
 #include "finemote/time.hpp"
 
 namespace finemote {
@@ -33,7 +33,7 @@ class SpiSlot {
   /// What became of the last exchange. Context: any.
   [[nodiscard]] SlotState state() const { return state_.load(); }
   /// An exchange waits or is on the wire. Context: any.
-  [[nodiscard]] bool busy() const { return state() == SlotState::kQueued || state() == SlotState::kActive; }
+  [[nodiscard]] bool busy() const { return is_under_way(state()); }
   /// The last exchange ended well. True until the next start(). Context: any.
   [[nodiscard]] bool done() const { return state() == SlotState::kDone; }
   /// When the last exchange ended. Only while !busy() and not in kIdle. Context: the device's bucket.

@@ -13,7 +13,7 @@ namespace discovery {
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 595.901 us of its release.
+/// a job ends within 595.705 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -23,12 +23,12 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds imu{280118, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{589720, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{589720, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{589720, 24083519, 24178885};
-inline constexpr finemote::Bounds green_led{587684, 24081482, 24178884};
-inline constexpr finemote::Bounds blue_led{584236, 24078034, 24178753};
-inline constexpr finemote::Bounds station{580914, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{589524, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{589524, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{589524, 24083519, 24178885};
+inline constexpr finemote::Bounds green_led{587488, 24081482, 24178884};
+inline constexpr finemote::Bounds blue_led{584040, 24078034, 24178753};
+inline constexpr finemote::Bounds station{580718, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

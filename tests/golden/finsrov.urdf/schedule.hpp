@@ -13,7 +13,7 @@ namespace FinsROV {
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.091 ms of its release.
+/// a job ends within 1.03 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -23,19 +23,19 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds imu{573848, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1044681, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1044681, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1044681, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1044681, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1044681, 31441645, 35695757};
-inline constexpr finemote::Bounds thruster_2{1042823, 31439787, 35695757};
-inline constexpr finemote::Bounds thruster_3{1040965, 31437928, 35695756};
-inline constexpr finemote::Bounds thruster_4{1039040, 31436070, 35698092};
-inline constexpr finemote::Bounds thruster_5{1029141, 31434140, 35718579};
-inline constexpr finemote::Bounds thruster_6{1027289, 31432288, 35718645};
-inline constexpr finemote::Bounds thruster_7{1025431, 31430358, 35718573};
-inline constexpr finemote::Bounds thruster_8{1023573, 31428500, 35718573};
-inline constexpr finemote::Bounds rov{1021715, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{984530, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{984530, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{984530, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{984530, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{984530, 31383704, 35637554};
+inline constexpr finemote::Bounds thruster_2{982672, 31379511, 35635219};
+inline constexpr finemote::Bounds thruster_3{980814, 31377587, 35635153};
+inline constexpr finemote::Bounds thruster_4{978955, 31375729, 35637489};
+inline constexpr finemote::Bounds thruster_5{977091, 31373865, 35637555};
+inline constexpr finemote::Bounds thruster_6{975173, 31371941, 35658036};
+inline constexpr finemote::Bounds thruster_7{973315, 31370017, 35657970};
+inline constexpr finemote::Bounds thruster_8{971457, 31368159, 35657970};
+inline constexpr finemote::Bounds rov{967264, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV
