@@ -64,7 +64,7 @@ void note_command_frames(PlannedRobot& planned, const std::string& data_dir) {
   const auto is_link = [](const Device& device) { return !device.type->link_role.empty(); };
   if (std::none_of(devices.begin(), devices.end(), is_link)) return;
   Diagnostics said;  // by whoever writes the files
-  for (const DeviceLink& link : plan_links(planned.plan(), shipped_interfaces(data_dir), said))
+  for (const DeviceLink& link : plan_links(planned.plan(), shipped_interfaces(data_dir + "/schemas"), said))
     planned.robot.devices[link.device].commands = command_frame(link);
 }
 

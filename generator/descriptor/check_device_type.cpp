@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/descriptor/check_can_frames.hpp"
 #include "generator/descriptor/check_class.hpp"
 #include "generator/descriptor/check_emulation.hpp"
@@ -38,7 +39,7 @@ class DescriptorCheck {
   }
 
  private:
-  void contradiction(const JsonPath& path, std::string message) { found_.add(path, std::move(message)); }
+  Diagnostic& contradiction(const JsonPath& path, std::string message) { return found_.add(path, std::move(message)); }
   /// Where a list of named entries stands, and what an entry is called.
   struct Named {
     const char *list, *member, *what;
@@ -91,7 +92,7 @@ class DescriptorCheck {
   void check_param_named(const DeviceType& type, const std::string& name, bool is_real, const JsonPath& path) {
     if (name.empty()) return;
     const ParamSpec* spec = find_spec(type.params, name);
-    if (spec == nullptr) return contradiction(path, fmt::format("there is no param '{}'", name));
+    if (spec == nullptr) return void(contradiction(path, fmt::format("there is no param '{}'", name)));
     if (is_real && spec->kind != ParamKind::real) contradiction(path, fmt::format("param '{}' is not a float", name));
   }
   void check_link(const DeviceType& type) {
@@ -127,12 +128,24 @@ class DescriptorCheck {
     if (type.needs_id && !type.id_max && has_identifiers(type))
       contradiction({"bus", "id"}, "the highest id is missing: \"max\"; identifiers depend on it");
     check_range(type.channel_min, type.channel_max, "channel");
+    for (const BusKind kind : type.buses) check_place(type, bus_type(kind));
     const auto& allowed = type.addresses;
     if (!type.default_address || allowed.empty() ||
         std::find(allowed.begin(), allowed.end(), *type.default_address) != allowed.end())
       return;
     contradiction({"bus", "address", "default"},
                   fmt::format("the default address \"{:#04x}\" is not allowed", *type.default_address));
+  }
+
+  /// What tells a device from the others on its bus: without it each would be the one at 0.
+  void check_place(const DeviceType& type, const BusType& bus) {
+    const auto lacks = [&](const char* member, const char* example) {
+      contradiction({"bus"}, fmt::format("devices on {} are told apart by '{}', which the descriptor has to name",
+                                         bus.name, member))
+          .hint(fmt::format("\"{}\": {}", member, example));
+    };
+    if (bus.has_addresses && !type.needs_address) lacks("address", R"({ "default": "0x40" })");
+    if (bus.channels != BusType::Channels::none && !type.needs_channel) lacks("channel", "{}");
   }
 
   const Contradictions& found_;

@@ -93,6 +93,7 @@ struct DeviceType {
   std::string include_dir;   ///< folder to add to the include path for a user's type; empty for shipped types
   std::string display_path;  ///< `builtin:devices/ms5837.json`, or relative to the input
   bool builtin = true;
+  bool has_mistakes = false;   ///< in its descriptor, which were reported
   std::vector<BusKind> buses;  ///< kinds of bus it can sit on; empty: composite or virtual
   bool bus_required = false;
   bool needs_address = false, needs_channel = false, needs_id = false;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "generator/descriptor/check_interfaces.hpp"
 #include "generator/descriptor/file_format.hpp"
 #include "generator/descriptor/json_file.hpp"
 #include "generator/descriptor/library_folders.hpp"
@@ -160,6 +161,7 @@ bool read_device(Library& library, LibraryFile& file, Sources& sources, Diagnost
     *type = read_device_type(json->value, json->origin, diagnostics);
     place_header(file, *type);
     if (mistakes.empty()) check_header(*json, file, sources, diagnostics);
+    if (!file.builtin) check_interfaces(*type, shipped_interfaces(library.schema_dir), {json->origin, diagnostics});
   };
   if (mistakes.empty() ? !guarded(*json, diagnostics, read) : !succeeds(read)) return false;
   type->name = file.name;

@@ -1,5 +1,8 @@
 #include "generator/descriptor/link_fields.hpp"
 
+#include <fstream>
+#include <stdexcept>
+
 #include "generator/descriptor/member.hpp"
 
 namespace finemote::gen {
@@ -16,7 +19,11 @@ std::optional<std::vector<LinkField>> read_link_fields(const Json& owner, const 
   return read_list<LinkField>(owner, member, read_field);
 }
 
-InterfaceTable read_interfaces(const Json& document) {
+InterfaceTable shipped_interfaces(const std::string& schema_dir) {
+  const std::string path = schema_dir + "/interfaces.json";
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  const Json document = Json::parse(file);
   InterfaceTable table;
   for (const auto& [name, interface] : document.at("interfaces").items())
     table[name] = {read_link_fields(interface, "state"), read_link_fields(interface, "command")};

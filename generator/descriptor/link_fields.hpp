@@ -28,7 +28,7 @@ using InterfaceTable = std::map<std::string, InterfaceFields>;
 /// Reads the named member of `owner`; none where it is absent.
 std::optional<std::vector<LinkField>> read_link_fields(const nlohmann::ordered_json& owner, const char* member);
 
-/// Reads the document `schemas/interfaces.json`.
-InterfaceTable read_interfaces(const nlohmann::ordered_json& document);
+/// What `interfaces.json` in the folder of the shipped schemas says. Throws std::runtime_error without the file.
+InterfaceTable shipped_interfaces(const std::string& schema_dir);
 
 }  // namespace finemote::gen

@@ -91,6 +91,7 @@ bool repair_device(Json& value, const std::vector<SchemaMistake>& mistakes, cons
 }
 
 void relax(DeviceType& type) {
+  type.has_mistakes = true;
   type.bus_required = false;
   for (ParamSpec& param : type.params) {
     if (!param.fallback) param.fallback = any_value(param);

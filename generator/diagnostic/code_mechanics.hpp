@@ -12,5 +12,6 @@ inline constexpr Code lint_no_mass{3166};        // an arm without mass whose we
 inline constexpr Code lint_same_place{3167};     // two thrusters in one place, along one line
 inline constexpr Code lint_param_range{3168};    // a param allows angles beyond the limits of the joint
 inline constexpr Code lint_other_command{3169};  // ROS commands a joint what its device does not take
+inline constexpr Code lint_half_actuator{3170};  // takes no commands, or takes some and is never made safe
 
 }  // namespace finemote::gen::code

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -240,13 +239,6 @@ void set_layout(const DeviceLink& link, Data& data) {
 }
 
 }  // namespace
-
-InterfaceTable shipped_interfaces(const std::string& data_dir) {
-  const std::string path = data_dir + "/schemas/interfaces.json";
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot read " + path);
-  return read_interfaces(nlohmann::ordered_json::parse(file));
-}
 
 std::optional<CommandFrame> command_frame(const DeviceLink& link) {
   if (link.down.empty()) return std::nullopt;

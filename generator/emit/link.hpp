@@ -29,10 +29,7 @@ struct DeviceLink {
   std::uint32_t number = 0;  ///< a layout that differs in anything has another one
 };
 
-/// What schemas/interfaces.json of the shipped files says.
-InterfaceTable shipped_interfaces(const std::string& data_dir);
-
-/// Every link of the robot, in schedule order. `interfaces` is that of schemas/interfaces.json.
+/// Every link of the robot, in schedule order. `interfaces` are the shipped ones.
 /// Reports FM3205 when a state or command does not fit a frame, the commands do not fit one together, or states fill
 /// more than sixteen.
 std::vector<DeviceLink> plan_links(const Plan& plan, const InterfaceTable& interfaces, Diagnostics& diagnostics);

@@ -48,7 +48,7 @@ std::vector<TemplateData> plan_files(const Plan& plan, const ProvenBounds& bound
                                      Diagnostics& diagnostics) {
   std::vector<Constant> constants = make_constants(plan, diagnostics);
   check_names(plan, constants, diagnostics);
-  const std::vector<DeviceLink> links = plan_links(plan, shipped_interfaces(data_dir), diagnostics);
+  const std::vector<DeviceLink> links = plan_links(plan, shipped_interfaces(data_dir + "/schemas"), diagnostics);
   for (const DeviceLink& link : links) constants.push_back(link_constant(plan, link));
   std::vector<TemplateData> files;
   files.reserve(5 + 2 * plan.forest.trees.size() + links.size());  // Data that grow are copied, not moved

@@ -10,6 +10,7 @@
 #include "generator/lint/hardware_rules.hpp"
 #include "generator/lint/joint_rules.hpp"
 #include "generator/lint/sensor_rules.hpp"
+#include "generator/lint/type_rules.hpp"
 #include "generator/lint/wrench_rules.hpp"
 
 namespace finemote::gen {
@@ -25,6 +26,8 @@ const Rule kRules[] = {
     {code::lint_conversion, "a conversion takes longer than the period", find_long_conversion},
     {code::lint_param_replaced, "a param is ignored: its value is computed from the URDF", find_replaced_params},
     {code::lint_command_age, "a limit on the age of commands is below the proven age", find_old_commands},
+    {code::lint_half_actuator, "an actuator takes no commands, or what takes commands is no actuator",
+     find_half_actuators},
     {code::lint_wrench_axis, "the actuators cannot produce an axis of the wrench", find_missing_axes},
     {code::lint_wrench_effort, "an axis of the wrench takes excessive effort", find_weak_axes},
     {code::lint_out_of_reach, "a servo does not reach the limits of its joint", find_short_travel},

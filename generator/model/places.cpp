@@ -89,11 +89,14 @@ Placing::Placing(Reading& all, DeviceId id)
 
 bool Placing::applies(const char* name, bool is_needed) const {
   const xml::Attribute* attribute = tag.attribute(name);
-  if (is_needed || attribute == nullptr) return is_needed;
-  diagnostics()
-      .error(code::attribute_unused, attribute->at, fmt::format("'{}' has no '{}'", type.name, name))
-      .underline(attribute->name.size())
-      .hint(fmt::format("remove {}=\"{}\"", name, attribute->value));
+  if (is_needed || attribute == nullptr || type.has_mistakes) return is_needed;
+  auto& finding = diagnostics()
+                      .error(code::attribute_unused, attribute->at, fmt::format("'{}' has no '{}'", type.name, name))
+                      .underline(attribute->name.size())
+                      .hint(fmt::format("remove {}=\"{}\"", name, attribute->value));
+  if (!type.builtin && !type.buses.empty())
+    finding.hint(
+        fmt::format("or let the devices of this type have one: \"{}\" in \"bus\" of '{}'", name, type.display_path));
   return false;
 }
 
