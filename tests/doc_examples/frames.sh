@@ -254,7 +254,7 @@ frame_FM3072() { frame_host; }
 frame_FM3073() { frame_host; }
 frame_FM3071() {
   local text=${example/my_imu/servo}
-  servo <<<', "bus": { "types": ["spi"], "required": true }, "uses": [{ "name": "select", "types": ["gpio"], "min": 1, "function": "output" }]'
+  servo <<<', "bus": { "types": ["spi"], "channel": {}, "required": true }, "uses": [{ "name": "select", "types": ["gpio"], "min": 1, "function": "output" }]'
   example="<bus name=\"spi\" type=\"spi\" port=\"spi2\" clock=\"5250kHz\"/>${text/ bus=/ period=\"10ms\" bus=}"
   robot
   ask
@@ -263,6 +263,8 @@ frame_FM3074() { robot "<bus name=\"i2c\" type=\"i2c\" port=\"i2c2\"/><expander 
 rov_with_imu='<device name="rov" type="group" period="10ms"><device name="imu" type="sim_load"><wcet update="10us" handle="5us"/></device><device name="thruster_1" type="sim_load"><wcet update="10us" handle="5us"/></device></device>'
 frame_FM3081() { robot "${rov_with_imu//\"group\"/\"sim_load\"}${example/rov.thrusters/rov.children}"; ask; }
 frame_FM3082() { robot "$rov_with_imu$example"; ask; }
+
+frame_FM3170() { servo <<<", ${example//$'\n'/ }"; ask; }
 
 # ---- descriptors
 as_descriptor() { mkdir -p devices; echo '#pragma once' >devices/servo.hpp; echo "$1" >devices/servo.json; example= robot '<device name="servo" type="servo" period="10ms"/>'; ask; }
