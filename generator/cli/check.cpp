@@ -37,8 +37,15 @@ std::string command_of(const char* command_name, const std::string& out, const O
   return command;
 }
 
-/// The commands that make the folder what it should be, one after the other.
-std::vector<std::string> mending_commands(const Options& options, const CheckResult& result) {
+/// A command that brings the folder nearer to what it should be.
+struct Mend {
+  std::string command;
+  bool needs_schedulable = false;  ///< it writes nothing for a robot that is not
+  bool moves_edited = false;       ///< files that were edited by hand
+};
+
+/// What makes the folder what it should be, one after the other.
+std::vector<Mend> mends(const Options& options, const CheckResult& result) {
   bool is_written = false, is_edited = false, is_timed = false;
   std::string orphans;
   for (const Finding& finding : result.findings) {
@@ -51,35 +58,33 @@ std::vector<std::string> mending_commands(const Options& options, const CheckRes
     is_edited |= finding.state == Finding::State::hand_edited && finding.file != kManifestName;
     if (is_orphan) orphans += " " + shell_word(options.out + "/" + finding.file);
   }
-  std::vector<std::string> commands;
-  if (is_timed) commands.push_back(command_of("wcet", timing_file_path(options.input), options));
+  std::vector<Mend> mends;
+  if (is_timed) mends.push_back({command_of("wcet", timing_file_path(options.input), options)});
   if (is_written || is_timed)
-    commands.push_back(command_of("generate", options.out, options) + (is_edited ? " --force" : ""));
-  if (!orphans.empty()) commands.push_back("rm" + orphans);
-  return commands;
+    mends.push_back({command_of("generate", options.out, options) + (is_edited ? " --force" : ""), true, is_edited});
+  if (!orphans.empty()) mends.push_back({"rm" + orphans});
+  return mends;
 }
 
 /// The same in words.
 std::string way_back(const Options& options, const CheckResult& result, bool schedulable) {
   std::string text;
-  for (const std::string& command : mending_commands(options, result)) {
-    const bool must_wait = !schedulable && command.starts_with("finemote");
-    text += (must_wait ? "when the robot is schedulable, run: " : "run: ") + command + "\n";
-    if (command.ends_with(" --force")) text += "edited files are kept as NAME.orig\n";
+  for (const Mend& mend : mends(options, result)) {
+    const bool must_wait = !schedulable && mend.needs_schedulable;
+    text += (must_wait ? "when the robot is schedulable, run: " : "run: ") + mend.command + "\n";
+    if (mend.moves_edited) text += "edited files are kept as NAME.orig\n";
   }
   return text;
 }
 
 /// One line for each; a reason that several share stands below them, once.
 std::string findings_text(const CheckResult& result) {
-  const auto follows_change = [&](const Finding& finding) { return finding.reason.ends_with(result.change); };
-  const bool is_shared =
-      !result.change.empty() && std::count_if(result.findings.begin(), result.findings.end(), follows_change) > 1;
+  const auto follows_change = [](const Finding& finding) { return finding.follows_change; };
+  const bool is_shared = std::count_if(result.findings.begin(), result.findings.end(), follows_change) > 1;
   std::string text;
   for (const Finding& finding : result.findings) {
-    std::string reason = ": " + finding.reason;
-    if (is_shared && follows_change(finding)) reason.erase(reason.size() - result.change.size() - 2);
-    text += fmt::format("{:<12} {}{}\n", state_name(finding.state), finding.file, reason);
+    const std::string reason = is_shared ? finding.reason : result.reason_of(finding);
+    text += fmt::format("{:<12} {}{}{}\n", state_name(finding.state), finding.file, reason.empty() ? "" : ": ", reason);
   }
   return is_shared ? text + "because " + result.change + "\n" : text;
 }
@@ -108,15 +113,18 @@ std::string objections(const Verdict& verdict, bool denied) {
 Json document(const Options& options, const CheckResult& result, const std::string& diff) {
   Json findings = Json::array();
   for (const Finding& finding : result.findings) {
-    findings.push_back({{"state", state_name(finding.state)}, {"file", finding.file}, {"reason", finding.reason}});
+    findings.push_back(
+        {{"state", state_name(finding.state)}, {"file", finding.file}, {"reason", result.reason_of(finding)}});
   }
+  Json commands = Json::array();
+  for (const Mend& mend : mends(options, result)) commands.push_back(mend.command);
   Json json{{"schema", "finemote.check/1"},
             {"output", options.out},
             {"fresh", result.findings.empty()},
             {"tool_changed", result.tool_changed},
             {"manifest_change", result.manifest_change.empty() ? Json(nullptr) : Json(result.manifest_change)},
             {"findings", findings},
-            {"mend", mending_commands(options, result)}};
+            {"mend", commands}};
   if (options.diff) json["diff"] = diff;
   return json;
 }
@@ -141,6 +149,13 @@ Answer answer_of(const Options& options, const Output& output, const CheckResult
   answer.document["requirements_hold"] = verdict.requirements_hold;
   answer.document["lint"] = render_json(lint_findings);
   return answer;
+}
+
+/// Why other files would be generated although neither inputs nor options have changed.
+std::string change_beyond_inputs(const TimingFileUse& file) {
+  return file.state == TimingFileUse::State::stale
+             ? "the timing file is stale: its figures count as assumed"
+             : "same inputs and options, but the environment or the build of finemote differs";
 }
 
 /// What is wrong with the timing file of the robot; a note where another compiler made the image that it is of.
@@ -176,7 +191,7 @@ Answer run_check(const Options& options, Sources& sources, Diagnostics& diagnost
   auto files = emit_files(*planned, prove_bounds(*planned, analysis), input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   const Output output = output_of(std::move(files), *planned, *input, sources);
-  CheckResult result = check_output(options.out, output, diagnostics);
+  CheckResult result = check_output(options.out, output, change_beyond_inputs(planned->timing_file), diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   add_timing_file(planned->timing_file, result, diagnostics);
 

@@ -57,12 +57,12 @@ std::string changed_question(const Manifest& previous, const Manifest& now) {
   return reason;
 }
 
-/// Why the output should be different now, as far as that can be known.
-std::string changes(const Manifest& previous, const Manifest& now) {
+/// Why the output should be different now, as far as that can be known; `beyond` where nothing of it has changed.
+std::string changes(const Manifest& previous, const Manifest& now, const std::string& beyond) {
   std::string reason = changed_question(previous, now);
   if (previous.tool != now.tool)
     reason += fmt::format("{}written by {}, checked with {}", reason.empty() ? "" : "; ", previous.tool, now.tool);
-  return reason.empty() ? "same inputs and options, but the environment or the build of finemote differs" : reason;
+  return reason.empty() ? beyond : reason;
 }
 
 /// Why generate would write the manifest anew where every other file is as it should be; empty: it would not, or for
@@ -85,19 +85,19 @@ std::string words_for_returns(const std::string& text) {
 
 class Checker {
  public:
-  Checker(const Folder& folder, const Output& output)
+  Checker(const Folder& folder, const Output& output, const std::string& beyond)
       : root_(folder.root),
         has_manifest_(folder.memory == Folder::Memory::complete),
         listed_(by_name(folder.previous.outputs)),
         wanted_(by_name(output.manifest.outputs)),
-        why_(has_manifest_ ? changes(folder.previous, output.manifest) : "nothing was generated here") {}
+        why_(has_manifest_ ? changes(folder.previous, output.manifest, beyond) : "nothing was generated here") {}
 
-  /// Why files are not what they were, as the reasons of findings end.
+  /// Why files are not what they were.
   [[nodiscard]] const std::string& why() const { return why_; }
 
   std::vector<Finding> run(const Folder& folder, const Output& output) {
     const Manifest& previous = folder.previous;
-    if (folder.memory == Folder::Memory::none) add(Finding::State::missing, kManifestName, why_);
+    if (folder.memory == Folder::Memory::none) add_changed(Finding::State::missing, kManifestName);
     if (folder.memory == Folder::Memory::broken)
       add(Finding::State::hand_edited, kManifestName, "cannot be used: what was generated is not known");
     for (const HashedFile& file : output.manifest.outputs) compare(file.name);
@@ -111,6 +111,11 @@ class Checker {
  private:
   void add(Finding::State state, const std::string& file, std::string reason) {
     findings_.push_back({state, file, std::move(reason)});
+  }
+
+  /// One that is not what it was because of what has changed.
+  void add_changed(Finding::State state, const std::string& file, std::string reason = {}) {
+    findings_.push_back({state, file, std::move(reason), true});
   }
 
   /// One file: the disk against the manifest, then the manifest against a fresh run.
@@ -130,12 +135,13 @@ class Checker {
       return only_endings ? add(Finding::State::line_endings, name, words_for_returns(*text))
                           : add(Finding::State::hand_edited, name, "differs from what was generated");
     }
-    if (wanted == wanted_.end()) return add(Finding::State::stale, name, "would no longer be generated: " + why_);
-    if (wanted->second != listed->second) add(Finding::State::stale, name, why_);
+    if (wanted == wanted_.end()) return add_changed(Finding::State::stale, name, "would no longer be generated");
+    if (wanted->second != listed->second) add_changed(Finding::State::stale, name);
   }
 
   void compare_unlisted(const std::string& name, const std::optional<std::string>& text, const std::string& wanted) {
-    if (!text) return add(Finding::State::missing, name, has_manifest_ ? "would be new: " + why_ : "not there");
+    if (!text && has_manifest_) return add_changed(Finding::State::missing, name, "would be new");
+    if (!text) return add(Finding::State::missing, name, "not there");
     const bool is_same = sha256(*text) == wanted;
     if (is_same && has_manifest_) add(Finding::State::stale, name, "not in the manifest");
     if (is_same) return;
@@ -213,13 +219,19 @@ const char* state_name(Finding::State state) {
   return "";
 }
 
-CheckResult check_output(const std::string& folder, const Output& output, Diagnostics& diagnostics) {
+std::string CheckResult::reason_of(const Finding& finding) const {
+  if (!finding.follows_change) return finding.reason;
+  return finding.reason.empty() ? change : finding.reason + ": " + change;
+}
+
+CheckResult check_output(const std::string& folder, const Output& output, const std::string& beyond,
+                         Diagnostics& diagnostics) {
   CheckResult result;
   const FolderLock lock(folder_path(folder), FolderLock::Use::look, diagnostics);
   if (diagnostics.has_errors()) return result;
   const auto found = open_folder(folder, output, {}, diagnostics);
   if (!found) return result;
-  Checker checker(*found, output);
+  Checker checker(*found, output, beyond);
   result.findings = checker.run(*found, output);
   result.change = checker.why();
   result.previous_tool = found->previous.tool;
@@ -235,8 +247,9 @@ Diagnostics as_diagnostics(const std::string& folder, const CheckResult& result,
   for (const Finding& finding : result.findings) {
     if (finding.state == Finding::State::stale_timing) continue;  // FM4022 has said it
     const std::string path = (folder_path(folder) / finding.file).generic_string();
-    diagnostics.error(kCodes[static_cast<std::size_t>(finding.state)], {sources.add({path, path, {}})},
-                      fmt::format("'{}' is {}: {}", finding.file, state_words(finding.state), finding.reason));
+    diagnostics.error(
+        kCodes[static_cast<std::size_t>(finding.state)], {sources.add({path, path, {}})},
+        fmt::format("'{}' is {}: {}", finding.file, state_words(finding.state), result.reason_of(finding)));
   }
   return diagnostics;
 }

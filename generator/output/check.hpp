@@ -13,20 +13,26 @@ struct Finding {
   /// `stale_timing`: not of the folder; the robot's timing file is of something else.
   enum class State { missing, hand_edited, line_endings, stale, orphan, stale_timing };
   State state = State::stale;
-  std::string file;    ///< below the folder; of `stale_timing` its path
-  std::string reason;  ///< one line
+  std::string file;             ///< below the folder; of `stale_timing` its path
+  std::string reason;           ///< a line, or the begin of one
+  bool follows_change = false;  ///< CheckResult::change goes on with it
 };
 
 struct CheckResult {
   std::vector<Finding> findings;  ///< in manifest order, then orphans by name; empty: fresh
-  std::string change;           ///< why other files would be generated now: what the reasons of their findings end with
-  bool tool_changed = false;    ///< the folder was written by another version of the tool, with the same bytes
+  std::string change;             ///< why other files would be generated now
+  bool tool_changed = false;      ///< the folder was written by another version of the tool, with the same bytes
   std::string manifest_change;  ///< why generate would write the manifest anew, and no other file; empty: it would not
   std::string previous_tool;
+
+  /// The whole reason of a finding, one line.
+  [[nodiscard]] std::string reason_of(const Finding& finding) const;
 };
 
 /// Reports what open_folder and FolderLock report; the folder is only read.
-CheckResult check_output(const std::string& folder, const Output& output, Diagnostics& diagnostics);
+/// @param beyond  why files would be others although inputs, options and tool are the same
+CheckResult check_output(const std::string& folder, const Output& output, const std::string& beyond,
+                         Diagnostics& diagnostics);
 
 /// `hand-edited`, `line-endings`, ...
 const char* state_name(Finding::State state);
