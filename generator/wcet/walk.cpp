@@ -144,6 +144,27 @@ class CallChain {
   std::vector<Open> open_;
 };
 
+/// Where the walk was when it gave up: the loop that had turned most often by then, of equal ones the innermost.
+class LongestLoop {
+ public:
+  void note(std::uint64_t rounds, WalkProblem place) {
+    if (place_ && rounds <= rounds_) return;
+    rounds_ = rounds;
+    place_ = std::move(place);
+  }
+  [[nodiscard]] WalkProblem problem(WalkProblem otherwise) const {
+    WalkProblem problem = place_.value_or(std::move(otherwise));
+    problem.why = "too many ways lead through it: ";
+    problem.why += place_ ? fmt::format("this loop may turn {} times or more; bound it with LoopBound<n>", rounds_)
+                          : "bound its loops more tightly";
+    return problem;
+  }
+
+ private:
+  std::uint64_t rounds_ = 0;
+  std::optional<WalkProblem> place_;
+};
+
 class Walker {
  public:
   explicit Walker(const ImageFactsForWalk& facts)
@@ -151,14 +172,15 @@ class Walker {
 
   Walked result(std::uint32_t entry) {
     const auto end = enter(entry, Arrival{at_entry(facts_.stack_top), {}}, entry, nullptr);
-    if (walked_.graph.nodes.size() > kMostNodes && walked_.problems.empty())
-      fail(entry, facts_.program.at(entry), "too many ways through it: bound its loops more tightly");
+    if (is_spent() && walked_.problems.empty())
+      walked_.problems[entry] = longest_.problem({entry, facts_.program.at(entry), {}});
     for (const UnrolledEdge& edge : end ? end->from : std::vector<UnrolledEdge>{})
       walked_.graph.exits.push_back(edge.from);
     return std::move(walked_);
   }
 
  private:
+  [[nodiscard]] bool is_spent() const { return walked_.graph.nodes.size() > kMostNodes; }
   void fail(std::uint32_t address, const ProgramFunction* function, std::string why) {
     ++failures_;
     walked_.problems.try_emplace(address, WalkProblem{address, function, std::move(why), chain_.sites()});
@@ -187,7 +209,7 @@ class Walker {
     frame.arrivals[function.graph.entry] = std::move(arrival);
     go_through(frame, std::nullopt);
     for (const std::uint32_t block : left_over(frame)) {
-      if (walked_.graph.nodes.size() > kMostNodes) break;  // given up on purpose
+      if (is_spent()) break;  // given up on purpose
       fail(block, &function, "ways that lead here are not in the bound: a defect of this tool");
     }
     return std::move(frame.end);
@@ -197,7 +219,7 @@ class Walker {
   void go_through(Frame& frame, std::optional<std::size_t> loop) {
     for (const std::uint32_t block : frame.nest.order(loop)) {
       auto& arrival = frame.arrivals[block];
-      if (!arrival || walked_.graph.nodes.size() > kMostNodes) continue;
+      if (!arrival || is_spent()) continue;
       const auto inner = frame.nest.around(block);
       const bool is_inner_header = inner != loop && inner && frame.nest.loops()[*inner].header == block;
       if (is_inner_header)
@@ -214,8 +236,7 @@ class Walker {
     if (const auto reg = counter_of(frame, index, facts_.marks)) return count_down(frame, index, *reg);
     const Loop& loop = frame.nest.loops()[index];
     const auto rounds = go_round(frame, index);
-    if (!rounds && walked_.graph.nodes.size() <= kMostNodes)
-      fail(loop.header, &frame.function, why_endless(frame.nest, index, facts_.marks));
+    if (!rounds && !is_spent()) fail(loop.header, &frame.function, why_endless(frame.nest, index, facts_.marks));
     note(frame, loop, rounds.value_or(0), walked_.loops);
   }
 
@@ -229,11 +250,11 @@ class Walker {
       const std::uint64_t passed = marks_passed(frame, loop);
       go_through(frame, index);
       auto& header = frame.arrivals[loop.header];
+      if (is_spent()) longest_.note(rounds, {loop.header, &frame.function, {}, chain_.sites()});
       if (!header) return rounds;
       const bool is_same =
           before.covers(header->machine) && header->machine.covers(before) && marks_passed(frame, loop) == passed;
-      if (is_same || rounds == kMostRounds || walked_.graph.nodes.size() > kMostNodes)
-        return header.reset(), std::nullopt;
+      if (is_same || rounds == kMostRounds || is_spent()) return header.reset(), std::nullopt;
     }
   }
 
@@ -338,6 +359,7 @@ class Walker {
   const bool goes_on_;  ///< behind a problem, to find others; what is presumed there must be no ground of a constant
   Unknowns unknowns_;
   Walked walked_;
+  LongestLoop longest_;
   std::size_t failures_ = 0;
   LoopNests nests_;
   Waits waits_;

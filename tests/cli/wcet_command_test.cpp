@@ -171,6 +171,20 @@ TEST_CASE("all that keeps a routine from a bound is named at once, also behind a
   CHECK(reasons[10].find("arithmetic on 'double' has no bound on this core") == 0);
 }
 
+TEST_CASE("where a loop leads in too many ways to follow, that loop is named, not the routine") {
+  const Told told = wcet_of(
+      "std::uint32_t x = limit_, left = limit_;\n"
+      "for (std::uint32_t i = 0; i < left; ++i) {\n"
+      "for (int k = 0; k < 200; ++k) { if (sum_ == x) x = x * 5 + i; if (limit_ == x) x = x / 3; }\n"
+      "sum_ = x; }");
+  CHECK(told.status == 1);
+  REQUIRE(told.document["unresolved"].size() == 1);
+  const Json& gap = told.document["unresolved"][0];
+  CAPTURE(gap.dump(1));
+  CHECK(gap["why"].get<std::string>().find("too many ways lead through it: this loop may turn ") == 0);
+  CHECK(gap["line"] == 9);
+}
+
 TEST_CASE("a mark bounds it, and more passes cost more") {
   const auto marked = [](int passes) {
     return wcet_of("const finemote::LoopBound<" + std::to_string(passes) +
