@@ -184,9 +184,10 @@ std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<Rank>& source
 
 /// In the order of `terminals`, which are of one tree, without those that no data reach; those that the same data reach
 /// are looked at together.
-std::vector<ChainResult> ChainAnalysis::worst_of_all(const std::vector<Rank>& terminals) const {
+std::vector<ChainResult> ChainAnalysis::worst_of_all(const std::vector<Rank>& terminals,
+                                                     const std::function<Reach::Turns(Rank)>& turns_of) const {
   std::map<Reach::Turns, std::vector<std::size_t>> places;  // of terminals
-  for (std::size_t i = 0; i < terminals.size(); ++i) places[reach_.turns_above(terminals[i])].push_back(i);
+  for (std::size_t i = 0; i < terminals.size(); ++i) places[turns_of(terminals[i])].push_back(i);
   std::vector<std::optional<ChainResult>> found(terminals.size());
   for (const auto& [turns, members] : places) {
     const std::vector<Rank> sources = reach_.sources_of(turns);
@@ -211,7 +212,8 @@ std::vector<ChainResult> ChainAnalysis::defaults() const {
       if (model_.devices[leaf].takes_command) terminals.push_back(leaf);
     }
     if (terminals.empty()) terminals.push_back(topology_.roots[tree]);
-    for (ChainResult& r : worst_of_all(terminals)) results.push_back(r);
+    for (ChainResult& r : worst_of_all(terminals, [&](Rank to) { return reach_.turns_above(to); }))
+      results.push_back(r);
   }
   return results;
 }
@@ -223,7 +225,8 @@ std::vector<ChainResult> ChainAnalysis::oldest_inputs() const {
   }
   std::vector<ChainResult> results;
   for (const Rank root : topology_.roots) {
-    for (ChainResult& r : worst_of_all(terminals[root])) results.push_back(r);
+    const auto turns_of = [&](Rank to) { return reach_.turns_into_command(to); };
+    for (ChainResult& r : worst_of_all(terminals[root], turns_of)) results.push_back(r);
   }
   return results;
 }

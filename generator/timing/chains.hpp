@@ -54,7 +54,8 @@ class ChainAnalysis {
                                                          const std::vector<Rank>& terminals) const;
   [[nodiscard]] std::vector<ChainResult> worst_of(const std::vector<Rank>& sources,
                                                   const std::vector<Rank>& terminals) const;
-  [[nodiscard]] std::vector<ChainResult> worst_of_all(const std::vector<Rank>& terminals) const;
+  [[nodiscard]] std::vector<ChainResult> worst_of_all(const std::vector<Rank>& terminals,
+                                                      const std::function<Reach::Turns(Rank)>& turns_of) const;
   [[nodiscard]] Duration repetition(const std::vector<Rank>& devices) const;
   [[nodiscard]] bool is_assumed(Rank from, Rank to) const;
 

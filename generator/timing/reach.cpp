@@ -40,12 +40,22 @@ bool Reach::connected(Rank from, Rank to) const {
 Reach::Turns Reach::turns_above(Rank to) const {
   Turns turns;
   if (!model_.devices[to].ends_here.empty()) turns.end = to;
-  Rank d = to;
+  add_turns(to, turns);
+  return turns;
+}
+
+Reach::Turns Reach::turns_into_command(Rank to) const {
+  Turns turns;
+  add_turns(*model_.devices[to].parent, turns);
+  return turns;
+}
+
+void Reach::add_turns(Rank from, Turns& turns) const {
+  Rank d = from;
   for (; model_.devices[d].parent; d = *model_.devices[d].parent) {
     if (ends_at(d, *model_.devices[d].parent) || turns.end == d) turns.devices.push_back(d);
   }
   turns.devices.push_back(d);
-  return turns;
 }
 
 std::vector<Rank> Reach::sources_of(const Turns& turns) const {

@@ -33,12 +33,18 @@ class Reach {
   /// between two of them is reached from the upper one.
   [[nodiscard]] Turns turns_above(Rank to) const;
 
+  /// The same for data that become part of what the parent of `to` commands it: not where they end at `to`, and those
+  /// of its own subtree only by way of the parent.
+  [[nodiscard]] Turns turns_into_command(Rank to) const;
+
   /// Devices with a sample of their own whose data reach one of the turns, in registration order: those without
   /// children, and those that measure. Data of any other device are as old as what it was made from.
   [[nodiscard]] std::vector<Rank> sources_of(const Turns& turns) const;
 
  private:
   [[nodiscard]] bool ends_at(Rank producer, Rank consumer) const;
+  /// From `from` up to the root.
+  void add_turns(Rank from, Turns& turns) const;
 
   const Model& model_;
   const Topology& topology_;
