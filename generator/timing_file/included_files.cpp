@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "generator/timing_file/logical_lines.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -36,33 +38,44 @@ struct Name {
   bool is_quoted = false;  ///< else it is in brackets, and is not looked for beside the file
 };
 
-/// The name that a line `#include`s, or that it gives to a macro, which another line may include; nothing: it does
-/// neither.
-std::optional<Name> name_in(std::string_view line) {
-  if (!skip(line, "#")) return std::nullopt;
-  bool is_macro = false;
-  if (skip(line, "define")) {
-    is_macro = true;
+/// The name that `text` begins with, in quotes or brackets.
+std::optional<Name> quoted_name(std::string_view text, bool is_macro = false) {
+  skip_spaces(text);
+  if (text.empty() || (text.front() != '"' && text.front() != '<')) return std::nullopt;
+  const bool is_quoted = text.front() == '"';
+  const std::size_t end = text.find(is_quoted ? '"' : '>', 1);
+  if (end == std::string_view::npos || end == 1) return std::nullopt;
+  return Name{std::string(text.substr(1, end - 1)), is_quoted || is_macro};
+}
+
+/// What a condition asks for, of which the file depends whether it is there and what is in it.
+void add_asked_for(std::string_view condition, std::vector<Name>& names) {
+  constexpr std::string_view kAsks = "__has_include";
+  for (std::size_t at = condition.find(kAsks); at != std::string_view::npos; at = condition.find(kAsks, at + 1)) {
+    const std::size_t open = condition.find('(', at);
+    if (open == std::string_view::npos) return;
+    if (auto name = quoted_name(condition.substr(open + 1))) names.push_back(std::move(*name));
+  }
+}
+
+/// The names that a line `#include`s or asks for, or that it gives to a macro, which another line may include.
+void add_names_in(std::string_view line, std::vector<Name>& names) {
+  if (!skip(line, "#") && !skip(line, "%:")) return;
+  const bool is_macro = skip(line, "define");
+  if (is_macro) {
     skip_spaces(line);
     line.remove_prefix(std::min(line.find_first_of(" \t"), line.size()));
   } else if (!skip(line, "include_next") && !skip(line, "include") && !skip(line, "import")) {
-    return std::nullopt;
+    return add_asked_for(line, names);
   }
-  skip_spaces(line);
-  if (line.empty() || (line.front() != '"' && line.front() != '<')) return std::nullopt;
-  const bool is_quoted = line.front() == '"';
-  const std::size_t end = line.find(is_quoted ? '"' : '>', 1);
-  if (end == std::string_view::npos || end == 1) return std::nullopt;
-  return Name{std::string(line.substr(1, end - 1)), is_quoted || is_macro};
+  if (auto name = quoted_name(line, is_macro)) names.push_back(std::move(*name));
 }
 
 std::vector<Name> names_in(const std::string& text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::vector<Name> names;
-  std::istringstream lines(text.rfind(kByteOrderMark, 0) == 0 ? text.substr(kByteOrderMark.size()) : text);
-  for (std::string line; std::getline(lines, line);) {
-    if (auto name = name_in(line)) names.push_back(std::move(*name));
-  }
+  std::istringstream lines(logical_lines(text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text));
+  for (std::string line; std::getline(lines, line);) add_names_in(line, names);
   return names;
 }
 

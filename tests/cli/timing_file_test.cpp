@@ -166,6 +166,22 @@ TEST_CASE("a file that a source includes from elsewhere, through another one, ma
   CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
 }
 
+TEST_CASE("a file is an input of a timing file however its name stands in the directive") {
+  const OneRobot one;
+  const std::string source = read_file(one.path("devices/counter.hpp"));
+  for (const char* directive :
+       {"#include /* which */ \"body.inc\"", "/* a comment\n over lines */ #include \"body.inc\"",
+        "%:include \"body.inc\"", "#inc\\\nlude \"body.inc\"",
+        "#if defined(NO) || __has_include(\"body.inc\")\n#endif"}) {
+    CAPTURE(directive);
+    write_file(one.path("devices/counter.hpp"), std::string(directive) + "\n" + source);
+    write_file(one.path("devices/body.inc"), "// one\n");
+    REQUIRE(run_finemote({"wcet", one.robot(), "-o", one.timing_file()}).exit_status == 0);
+    write_file(one.path("devices/body.inc"), "// two\n");
+    CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
+  }
+}
+
 TEST_CASE("files are inputs of a timing file by what includes them, not by their names and places") {
   const OneRobot one;
   const std::string source = read_file(one.path("devices/counter.hpp"));

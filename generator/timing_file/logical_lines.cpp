@@ -1,0 +1,54 @@
+#include "generator/timing_file/logical_lines.hpp"
+
+#include <algorithm>
+
+namespace finemote::gen {
+namespace {
+
+std::string spliced(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view rest = text.substr(i);
+    const std::size_t skipped = rest.starts_with("\\\n") ? 2 : rest.starts_with("\\\r\n") ? 3 : 0;
+    if (skipped == 0)
+      out += text[i];
+    else
+      i += skipped - 1;
+  }
+  return out;
+}
+
+/// Where the literal that begins at `begin` ends: behind its quote, or at the end of its line.
+std::size_t end_of_literal(std::string_view text, std::size_t begin) {
+  for (std::size_t i = begin + 1; i < text.size(); ++i) {
+    if (text[i] == '\n') return i;
+    if (text[i] == text[begin]) return i + 1;
+    if (text[i] == '\\') ++i;
+  }
+  return text.size();
+}
+
+std::size_t end_of_comment(std::string_view text, std::size_t begin) {
+  const bool is_line = text[begin + 1] == '/';
+  const std::size_t end = text.find(is_line ? "\n" : "*/", begin + 2);
+  if (end == std::string_view::npos) return text.size();
+  return is_line ? end : end + 2;
+}
+
+}  // namespace
+
+std::string logical_lines(std::string_view text) {
+  const std::string whole = spliced(text);
+  std::string out;
+  for (std::size_t i = 0; i < whole.size();) {
+    const bool is_comment = whole[i] == '/' && i + 1 < whole.size() && (whole[i + 1] == '/' || whole[i + 1] == '*');
+    const bool is_literal = whole[i] == '"' || whole[i] == '\'';
+    const std::size_t end = is_comment ? end_of_comment(whole, i) : is_literal ? end_of_literal(whole, i) : i + 1;
+    out += is_comment ? " " : whole.substr(i, end - i);
+    i = end;
+  }
+  return out;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,13 @@
+// The text of a C++ source to the lines that its preprocessor sees.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace finemote::gen {
+
+/// Lines that end with a backslash are one with the next, and comments are a space: ISO C++17 [lex.phases] 2 and 3. Raw
+/// strings are taken for others.
+std::string logical_lines(std::string_view text);
+
+}  // namespace finemote::gen
