@@ -7,7 +7,8 @@
 
 namespace finemote::gen {
 
-/// Names without a namespace are those of finemote: each has to be among `shipped`, or `any`.
+/// Names without a namespace are those of finemote, whose sizes the analysis knows: each has to be among `shipped`, or
+/// `any`.
 void check_interfaces(const DeviceType& type, const InterfaceTable& shipped, const Contradictions& found);
 
 }  // namespace finemote::gen
