@@ -26,6 +26,14 @@ struct BusRate {
 /// What moves the bytes of a transfer.
 enum class Mover { routine, dma };
 
+/// What goes over a bus together.
+struct BusExchange {
+  std::int64_t write = 0, read = 0;  ///< bytes, as a device has them
+  std::int64_t bits_per_byte = 10;   ///< of a serial line; other kinds have one of their own
+  Mover mover = Mover::routine;
+  bool is_asked_for = true;  ///< by a device; else the part sends by itself
+};
+
 /// What bytes that go over a bus together take.
 struct WireUnit {
   std::int64_t bits = 0;
@@ -104,10 +112,9 @@ struct BusType {
   bool is_mastered = false;      ///< nothing happens that no device begins
   bool counts_traffic = false;   ///< its interrupts are known to belong to what devices ask for, and parts declare
 
-  /// Time on the wire and service routines of bytes written and read in one unit, without the one that begins it on an
-  /// idle bus; null: a kind without frames. `bits_per_byte` is that of a serial line; other kinds have one of their
-  /// own. Throws Overflow.
-  WireUnit (*unit)(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover mover) = nullptr;
+  /// Time on the wire and service routines of an exchange in one unit, without the one that begins it on an idle bus;
+  /// null: a kind without frames. Throws Overflow.
+  WireUnit (*unit)(const BusExchange& exchange) = nullptr;
 
   /// Bits from the end of what came before to the end of the shortest frame that so many bytes are sent in; null: a
   /// kind whose frames are not told apart.

@@ -10,10 +10,11 @@ namespace {
 std::int64_t frames_of(std::int64_t bytes) { return std::max<std::int64_t>(ceil_div(bytes, 8), 1); }
 
 /// Bosch CAN 2.0 A, worst stuffing as in Davis et al. 2007: 55 + 10 n bits for a frame of n <= 8 bytes, interframe
-/// space included. What is written and read is a frame that asks and one that answers.
-WireUnit can_unit(std::int64_t write, std::int64_t read, std::int64_t, Mover) {
-  const bool is_polled = write > 0 && read > 0;
-  const std::int64_t first = write > 0 ? write : read, answer = is_polled ? read : 0;
+/// space included. What a device reads is an answer to what it writes, which may be a frame without data.
+WireUnit can_unit(const BusExchange& exchange) {
+  const bool is_polled = exchange.is_asked_for && exchange.read > 0;
+  const std::int64_t first = exchange.is_asked_for ? exchange.write : exchange.read;
+  const std::int64_t answer = is_polled ? exchange.read : 0;
   const std::int64_t frames = frames_of(first), answers = is_polled ? frames_of(answer) : 0;
   const std::int64_t bits = add(multiply(55, add(frames, answers)), multiply(10, add(first, answer)));
   return {bits, 0, frames, answers};

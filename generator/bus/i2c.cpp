@@ -6,11 +6,13 @@ namespace finemote::gen {
 namespace {
 
 /// NXP UM10204: start or repeated start, address and every byte with its acknowledge 9 bits, stop and bus-free time 2
-/// bits. Service for start, address and each byte; the last byte counts as the end once more.
-WireUnit i2c_unit(std::int64_t write, std::int64_t read, std::int64_t, Mover) {
+/// bits. Service for start, address and each byte; the last byte counts as the end once more. Without a byte the
+/// address goes out alone.
+WireUnit i2c_unit(const BusExchange& exchange) {
   WireUnit total{2, 0, 1};
-  for (const std::int64_t bytes : {write, read}) {
-    if (bytes == 0) continue;
+  const bool is_address_alone = exchange.write == 0 && exchange.read == 0;
+  for (const std::int64_t bytes : {exchange.write, exchange.read}) {
+    if (bytes == 0 && !(is_address_alone && total.steps == 0)) continue;
     total.bits = add(total.bits, add(1 + 9, multiply(9, bytes)));
     total.steps = add(total.steps, add(2, bytes));
   }

@@ -5,8 +5,8 @@
 namespace finemote::gen {
 namespace {
 
-WireUnit rs485_unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover) {
-  return {multiply(bits_per_byte, add(write, read)), 1, 1};
+WireUnit rs485_unit(const BusExchange& exchange) {
+  return {multiply(exchange.bits_per_byte, add(exchange.write, exchange.read)), 1, 1};
 }
 
 }  // namespace

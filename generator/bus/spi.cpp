@@ -8,9 +8,9 @@ namespace finemote::gen {
 namespace {
 
 /// Without a DMA every byte is a step; the last one counts as the end once more.
-WireUnit spi_unit(std::int64_t write, std::int64_t read, std::int64_t, Mover mover) {
-  const std::int64_t bytes = std::max(write, read);
-  return {multiply(8, bytes), mover == Mover::dma ? 0 : bytes, 1};
+WireUnit spi_unit(const BusExchange& exchange) {
+  const std::int64_t bytes = std::max(exchange.write, exchange.read);
+  return {multiply(8, bytes), exchange.mover == Mover::dma ? 0 : bytes, 1};
 }
 
 }  // namespace

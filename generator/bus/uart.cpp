@@ -6,8 +6,8 @@ namespace finemote::gen {
 namespace {
 
 /// What is read in one frame with what is written answers it.
-WireUnit uart_unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover) {
-  return {multiply(bits_per_byte, add(write, read)), 0, 1};
+WireUnit uart_unit(const BusExchange& exchange) {
+  return {multiply(exchange.bits_per_byte, add(exchange.write, exchange.read)), 0, 1};
 }
 
 }  // namespace

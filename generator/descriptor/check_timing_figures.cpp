@@ -45,6 +45,7 @@ class TimingCheck {
   void check_model(const Acquisition& acquisition) const {
     if (acquisition.model == Acquisition::Model::streamed) {
       check_rate(acquisition);
+      check_stream();
       for (const char* member : {"periods", "published_every", "conversion"}) check_absent(member, "polled");
       return;
     }
@@ -55,6 +56,18 @@ class TimingCheck {
           .hint("where update() begins a measurement and the next update() publishes it: \"periods\": 1");
     }
     for (const char* member : {"interval_ns", "interval_param"}) check_absent(member, "streamed");
+  }
+  /// The sample has to come in something.
+  void check_stream() const {
+    if (type_.buses.empty() || !type_.frames) return;
+    const auto is_frame = [](const Frame& frame) { return frame.stage == FrameStage::autonomous; };
+    const auto is_edge = [](const Interrupt& interrupt) { return interrupt.is_autonomous; };
+    if (std::any_of(type_.frames->begin(), type_.frames->end(), is_frame)) return;
+    if (std::any_of(type_.interrupts.begin(), type_.interrupts.end(), is_edge)) return;
+    found_
+        .add({"acquisition", "model"},
+             "model 'streamed' is of a part that sends by itself, and no frame of stage 'autonomous' says what")
+        .hint("add it to \"frames\", or write \"model\": \"polled\" where update() asks for the sample");
   }
   void check_rate(const Acquisition& acquisition) const {
     const JsonPath path{"acquisition", "interval_param"};

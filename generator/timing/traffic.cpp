@@ -30,7 +30,10 @@ std::vector<Unit> units_of(const Robot& robot, const gen::Device& device, const 
   for (const Frame& frame : frames) {
     Unit& unit = units[{to_string(frame.stage), frame.unit > 0 ? frame.unit : alone--}];
     unit.stage = frame.stage;
-    unit.use.add(rate, frame.write_bytes, frame.read_bytes);
+    if (frame.stage == FrameStage::autonomous)
+      unit.use.add_sent(rate, std::max(frame.write_bytes, frame.read_bytes));
+    else
+      unit.use.add(rate, frame.write_bytes, frame.read_bytes);
     unit.reads = unit.reads || frame.read_bytes > 0;
     unit.writes = unit.writes || frame.write_bytes > 0;
     if (frame.stage != FrameStage::autonomous) continue;
@@ -96,7 +99,7 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
   }
   const std::vector<Frame> frames = frames_over(device, connection);
   const BusId id = places_.buses()[*bus];
-  if (bus_type(robot_.buses[id].kind).counts_traffic && !is_declared(robot_, device, connection))
+  if (bus_type(robot_.buses[id].kind).unit != nullptr && !is_declared(robot_, device, connection))
     model_.devices[place].undeclared.push_back(*bus);
   const WireRate rate{robot_.buses[id].kind, model_.buses[*bus].baud_bps, mover_of(robot_, id),
                       line_format(format_over(device, connection)).bits_per_byte()};
@@ -108,21 +111,32 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
     if (unit.stage == FrameStage::autonomous) transfer.wire = longest_of_bits(robot_, device, transfer.wire);
     transfer.reads = unit.stage != FrameStage::autonomous && unit.reads;
     transfer.writes = unit.stage != FrameStage::autonomous && unit.writes;
-    transfer.command = unit.stage == FrameStage::handle && unit.writes && model_.devices[place].takes_command;
+    transfer.command = unit.stage == FrameStage::handle && unit.writes;
     if (connection.use == nullptr) transfer.identifier = own_identifier(device, frames, unit.stage);
   }
 }
 
-/// Where nothing leaves after handle(), a command may leave with what the next update() sends.
+/// A command may leave with what the next update() sends: where nothing leaves after handle(), or where both go over
+/// one slot, which takes one transfer at a time. What a device decides without being commanded leaves in the same way.
 void Traffic::mark_late_commands(const gen::Device& device, Rank place) {
   Device& own = model_.devices[place];
-  const auto is_command = [](const Transfer& transfer) { return transfer.command; };
-  const bool has_output =
-      device.segment && bus_type(robot_.segments[*device.segment].bus_kind).channels == BusType::Channels::outputs;
-  if (!own.takes_command || has_output || shared_frame_of(device)) return;
-  if (std::any_of(own.transfers.begin(), own.transfers.end(), is_command)) return;
-  for (Transfer& transfer : own.transfers)
-    transfer.command = transfer.after == Transfer::After::update && transfer.writes;
+  if (!may_send_late(device) || shared_frame_of(device)) return;
+  const bool is_sent = std::any_of(own.transfers.begin(), own.transfers.end(), [](const auto& t) { return t.command; });
+  for (Transfer& transfer : own.transfers) {
+    const bool is_late = transfer.after == Transfer::After::update && transfer.writes;
+    const bool may_wait = own.takes_command && !model_.buses[transfer.bus].arbitrated;
+    if (is_late && (!is_sent || may_wait)) transfer.command = true;
+  }
+}
+
+/// Not where the command goes to an output, nor where a sensor asks for its samples.
+bool Traffic::may_send_late(const gen::Device& device) const {
+  const auto is_output = [&](std::optional<SegmentId> segment) {
+    return segment && bus_type(robot_.segments[*segment].bus_kind).channels == BusType::Channels::outputs;
+  };
+  if (device.type->has_command()) return !is_output(device.segment);
+  return device.type->actuator && !is_output(device.segment) &&
+         std::none_of(device.uses.begin(), device.uses.end(), [&](const Use& use) { return is_output(use.segment); });
 }
 
 void Traffic::add_selection(SegmentId segment, const WireRate& rate, WireUse& use) const {

@@ -48,6 +48,7 @@ class Traffic {
   [[nodiscard]] std::optional<BusPlace> bus_of(const gen::Device& device) const;
   [[nodiscard]] std::vector<InterruptSource>& own_lines(const gen::Device& device);
   [[nodiscard]] InterruptSource own_line(const gen::Device& device, const Interrupt& entry, Rank place) const;
+  [[nodiscard]] bool may_send_late(const gen::Device& device) const;
   void mark_late_commands(const gen::Device& device, Rank place);
   [[nodiscard]] Duration pin_wcet(const gen::Device& device) const;
   void allow_events(BusPlace bus, Rank reader);

@@ -93,7 +93,7 @@ std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles
 }
 
 std::optional<Duration> WireAnalysis::command(Rank to) const {
-  if (model_.devices[to].actuator && !model_.devices[to].undeclared.empty()) return std::nullopt;
+  if (!model_.devices[to].undeclared.empty()) return std::nullopt;
   std::optional<Duration> worst = model_.devices[to].output;
   const auto raise = [&](std::optional<Duration> value) {
     worst = worst && value ? std::optional<Duration>(std::max(*worst, *value)) : std::nullopt;

@@ -4,10 +4,10 @@
 
 namespace finemote::gen::timing {
 
-void WireUse::add(const WireRate& rate, std::int64_t write, std::int64_t read) {
+void WireUse::add(const WireRate& rate, std::int64_t write, std::int64_t read, bool is_asked_for) {
   const BusType& type = bus_type(rate.kind);
   if (type.unit == nullptr) return;
-  const WireUnit unit = type.unit(write, read, rate.bits_per_byte, rate.mover);
+  const WireUnit unit = type.unit({write, read, rate.bits_per_byte, rate.mover, is_asked_for});
   wire += ceil_div(unit.bits * seconds(1), rate.bits_per_s);
   steps = gen::add(steps, unit.steps);
   ends = gen::add(ends, unit.ends);

@@ -24,8 +24,13 @@ struct WireUse {
   bool in_one_request = false;
   Duration min_interval;
 
-  /// Throws Overflow.
-  void add(const WireRate& rate, std::int64_t write, std::int64_t read);
+  /// What a device asks for. Throws Overflow.
+  void add(const WireRate& rate, std::int64_t write, std::int64_t read) { add(rate, write, read, true); }
+  /// What a part sends by itself. Throws Overflow.
+  void add_sent(const WireRate& rate, std::int64_t bytes) { add(rate, 0, bytes, false); }
+
+ private:
+  void add(const WireRate& rate, std::int64_t write, std::int64_t read, bool is_asked_for);
 };
 
 }  // namespace finemote::gen::timing

@@ -57,7 +57,7 @@ TEST_CASE("a rate is written in the attribute and the units of its kind") {
 TEST_CASE("a unit takes what its bytes and the frames around them take") {
   using Figures = std::tuple<std::int64_t, std::int64_t, std::int64_t>;  // bits, steps, ends
   const auto unit = [](BusKind kind, std::int64_t write, std::int64_t read, Mover mover = Mover::routine) -> Figures {
-    const WireUnit use = bus_type(kind).unit(write, read, 10, mover);
+    const WireUnit use = bus_type(kind).unit({write, read, 10, mover});
     return {use.bits, use.steps, use.ends};
   };
   CHECK(unit(BusKind::uart, 3, 5) == Figures{80, 0, 1});
