@@ -111,8 +111,18 @@ def bounded_analysis(finemote, robot):
 
 
 def attack(task):
-    finemote, result = task.tool(), Result(task.number)
-    robot = task.draw()
+    """What becomes of the robot; failed where the program crashes on it."""
+    result, robot = Result(task.number), task.draw()
+    try:
+        attack_robot(task, robot, result)
+    except tool.ToolFailed as failure:
+        result.state, result.text, result.problem = "failed", robot.text(), str(failure)
+    return result
+
+
+def attack_robot(task, robot, result):
+    """Fills in the result. Raises ToolFailed."""
+    finemote = task.tool()
     if task.is_static:
         is_any = "<device" in robot.text()
         analysis, result.problem = bounded_analysis(finemote, robot) if is_any else (None, None)
@@ -121,7 +131,7 @@ def attack(task):
     else:
         result.breakdown, analysis = load_to_limit(finemote, robot)
     if analysis is None:
-        return result
+        return
     outline = robots.Outline(robot.text())
     inputs = stimuli.Stimuli(outline, task.seed, task.number)
     result.types, result.text, result.load = outline.types, robot.text(), robot.load
@@ -129,20 +139,21 @@ def attack(task):
     result.verdict, result.problem = examine(finemote, robot, analysis, inputs, task)
     if result.verdict is None:
         result.state = "failed"
-        return result
+        return
     result.reached = inject.largest_by_class(result.verdict.shares, inject.Classes(outline, analysis["model"]))
     if result.verdict.broken:
         result.state = "violated"
     else:
         result.state = "counted" if result.verdict.chains else "unjudged"
-    return result
 
 
 def breaks(finemote, robot, inputs, task, kinds):
-    analysis = bounded_analysis(finemote, robot)[0] if task.is_static else analysis_at(finemote, robot, robot.load)
-    if analysis is None:
+    """Whether the robot breaks a bound of one of these kinds; one that the program fails on does not."""
+    try:
+        analysis = bounded_analysis(finemote, robot)[0] if task.is_static else analysis_at(finemote, robot, robot.load)
+        verdict = None if analysis is None else examine(finemote, robot, analysis, inputs, task)[0]
+    except tool.ToolFailed:
         return False
-    verdict, _ = examine(finemote, robot, analysis, inputs, task)
     return verdict is not None and not kinds.isdisjoint(verdict.kinds)
 
 

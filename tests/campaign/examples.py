@@ -68,7 +68,15 @@ def batches(phases):
 
 
 def attack(finemote, path, phases, seed):
-    """Lines on an example, and those of what it breaks."""
+    """Lines on an example, and those of what it breaks; a crash of the program is among them."""
+    try:
+        return hold(finemote, path, phases, seed)
+    except tool.ToolFailed as failure:
+        return [], [f"{path.stem}: {failure}"]
+
+
+def hold(finemote, path, phases, seed):
+    """The same. Raises ToolFailed."""
     with tempfile.TemporaryDirectory() as folder:
         example, called = Example(path), tool.Tool(finemote, pathlib.Path(folder) / "worker", EXAMPLES / "devices")
         example.lay(called.folder)

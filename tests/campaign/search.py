@@ -289,6 +289,8 @@ def attack(finemote, folder, name, generations, seed):
             search.generation()
     except RuntimeError as problem:
         return [], str(problem)
+    except tool.ToolFailed as failure:
+        return [], f"{name}: {failure}"
     return rows_of(search), None
 
 

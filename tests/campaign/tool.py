@@ -22,8 +22,12 @@ def options(parser):
     return parser
 
 
+class ToolFailed(Exception):
+    """The program crashed: an internal error, or a signal."""
+
+
 class Tool:
-    """Calls of one worker. Its folder is kept from robot to robot: the runtime is compiled once, a robot's own code anew."""
+    """Calls of one worker, each of which raises ToolFailed where the program crashes. Its folder is kept from robot to robot: the runtime is compiled once, a robot's own code anew."""
 
     def __init__(self, path, folder, devices=robots.DEVICES, is_slowest=False):
         """devices: folder of the users' device types."""
@@ -34,12 +38,20 @@ class Tool:
         has_runtime = (self.folder / "kept" / "build" / "build.ninja").exists()
         self.environment = {**os.environ, "GLIBC_TUNABLES": LARGE_PIECES, **({"CCACHE_DISABLE": "1"} if has_runtime else {})}
 
+    @staticmethod
+    def ask(words, **options):
+        """What the program answers with the exit status 0, 1 or 2: yes, no, or no answer."""
+        answer = subprocess.run(words, capture_output=True, text=True, check=False, **options)
+        if answer.returncode not in (0, 1, 2):
+            raise ToolFailed(f"{words[1]} ended with exit status {answer.returncode}\n{answer.stderr}")
+        return answer
+
     def call(self, command, robot, *arguments):
         file = self.folder / "robot.urdf"
         file.write_text(robot.text(), encoding="utf-8")
         chains = [word for source, target in robot.pairs for word in ("--chain", f"{source}->{target}")]
         words = [self.path, command, str(file), "--device-path", str(self.devices), "--format", "json"]
-        return subprocess.run([*words, *chains, *arguments], capture_output=True, text=True, check=False, env=self.environment)
+        return self.ask([*words, *chains, *arguments], env=self.environment)
 
     def bound(self, robot):
         """Writes the robot's timing file, which every call after it reads. None, or what the tool said where something in
@@ -47,13 +59,13 @@ class Tool:
         file = self.folder / "robot.urdf"
         file.write_text(robot.text(), encoding="utf-8")
         words = [self.path, "wcet", str(file), "--device-path", str(self.devices), "-o", str(file.with_suffix(".timing.json"))]
-        answer = subprocess.run(words, capture_output=True, text=True, check=False)
+        answer = self.ask(words)
         return None if answer.returncode == 0 else answer.stdout + answer.stderr
 
     def analyze(self, robot):
-        """The document of analyze, or None where the robot is refused or has no answer."""
+        """The document of analyze, or None where the robot is refused."""
         answer = self.call("analyze", robot)
-        return json.loads(answer.stdout) if answer.returncode in (0, 1) and answer.stdout else None
+        return None if answer.returncode == 2 else json.loads(answer.stdout)
 
     def run(self, robot, scenario, number, phases, duration=DURATION):
         """Path of the record, or None where there is none, and what the tool said. Every other robot runs on a chip that is
