@@ -29,6 +29,8 @@ struct Kept {
 /// Nothing was counted, neither as a fault nor as an overrun, nor did the monitor see a bound exceeded.
 bool counts_nothing(const Json& record) {
   REQUIRE(record["stop"].is_null());
+  REQUIRE(!record["overruns"].empty());
+  REQUIRE(!record["monitor"].empty());
   bool nothing = record["fault_counts"].empty() && record["resets"] == 0;
   for (const Json& overruns : record["overruns"]) nothing = nothing && overruns == 0;
   for (const Json& device : record["monitor"]) nothing = nothing && device[2] == 0 && device[3] == 0;

@@ -51,6 +51,7 @@ TEST_CASE("the first line says what the numbers of the others stand for") {
   CHECK(audit.head["image"] == audit.run["image"]["sha256"]);
   CHECK(audit.head["phase"] == 0);
   CHECK(audit.head["clock_hz"] == 168e6);
+  REQUIRE(!audit.head["stages"].empty());
   REQUIRE(audit.head["stages"].size() == audit.run["stages"].size());
   for (const Json& stage : audit.head["stages"]) {
     INFO(stage.dump());
@@ -114,6 +115,7 @@ TEST_CASE("begins and ends from the end of the bring-up on are the runs of the s
     if (line["t"] >= ready && line["t"] < end) ++begins[line["stage"]];
   }
   for (const Json& line : audit.of("end")) ++ends[line["stage"]];
+  REQUIRE(!audit.head["stages"].empty());
   for (std::size_t k = 0; k < audit.head["stages"].size(); ++k) {
     const Json& stage = audit.head["stages"][k];
     INFO(stage.dump());
@@ -141,8 +143,8 @@ TEST_CASE("what was used was a sample that could be read, and the age at the upd
     INFO(use.dump());
     REQUIRE(samples.count(use["n"]) == 1);
     const Json& sample = samples[use["n"]];
-    CHECK(sample["t"] <= use["t"]);
-    CHECK(sample["from"] <= sample["t"]);
+    CHECK(sample["t"].get<std::int64_t>() <= use["t"].get<std::int64_t>());
+    CHECK(sample["from"].get<std::int64_t>() <= sample["t"].get<std::int64_t>());
     REQUIRE(begin_of.count(use["t"]) == 1);
     const std::int64_t update = begin_of[use["t"]];
     if (update >= ready) oldest = std::max(oldest, update - sample["from"].get<std::int64_t>());

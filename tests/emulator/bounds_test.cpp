@@ -68,6 +68,7 @@ void check_holds(const Ran& ran) {
   CHECK(ran.document["overruns"] == 0);
   CHECK(ran.document["fault_counts"].empty());
   CHECK(ran.document["order"]["mistake"].is_null());
+  REQUIRE(!ran.document["chains"].empty());
   for (const Json& chain : ran.document["chains"]) {
     for (const char* part : {"acquire", "decide", "wire", "end_to_end"}) check_judged(chain[part]);
     CHECK(chain["decide"]["judged"] == "held");
@@ -148,6 +149,7 @@ TEST_CASE("where an interrupt keeps the release from ending before the next one,
   const Json document =
       run(robot, "300ms").document;  // on the board they are lost: responses reach what nothing bounds
   CHECK(document["schedulable"] == false);
+  REQUIRE(!document["responses"].empty());
   for (const Json& response : document["responses"]) CHECK(response["judged"] == "no-bound");
 }
 

@@ -34,6 +34,7 @@ TEST_CASE("a duration counts from the end of the bring-up, and so do stages") {
     CHECK(std::abs(stage(run, "fast", name)["count"].get<int>() - 50) <= 1);
     CHECK(std::abs(stage(run, "slow", name)["count"].get<int>() - 10) <= 1);
   }
+  REQUIRE(!run["chains"].empty());
   for (const Json& chain : run["chains"]) {
     INFO(chain.dump());
     CHECK(chain["wire"]["judged"] == "held");
@@ -57,6 +58,7 @@ TEST_CASE("a part that never comes up is named, and its chain has no sample") {
   REQUIRE(run["absent"].size() == 1);
   CHECK(run["absent"][0] == "depth");
   CHECK(run["bringup_ns"] == 1000 * kMillisecond);
+  REQUIRE(!run["chains"].empty());
   for (const Json& chain : run["chains"]) {
     INFO(chain.dump());
     CHECK(chain["acquire"]["judged"] == "no-sample");

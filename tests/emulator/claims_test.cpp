@@ -51,6 +51,7 @@ std::map<std::string, std::int64_t> leads_of(const std::string& robot) {
   const Json run = finemote_json({"run", source_path(robot), "--duration", "200ms", "--phases", "3", "--seed", "8",
                                   "--audit", folder.path("audit.jsonl")});
   const auto leads = leads_in(read_file(folder.path("audit.jsonl")));
+  REQUIRE(!run["claims"].empty());
   for (const Json& claim : run["claims"]) {
     INFO(claim.dump());
     CHECK(claim["judged"] == (claim["lead_max_ns"].is_null() ? "no-sample" : "held"));

@@ -155,6 +155,8 @@ TEST_CASE("bring-up: the first commands come out later than their bound, and not
   }
   CHECK(run["fault_counts"].empty());
   CHECK(run["overruns"] == 0);
+  REQUIRE(!run["monitor"].empty());
+  REQUIRE(!run["chains"].empty());
   for (const Json& device : run["monitor"]) CHECK(device["response_violations"] == 0);
   for (const Json& chain : run["chains"]) {
     const std::int64_t bound = chain["wire"]["bound_ns"].get<std::int64_t>() * 1000;

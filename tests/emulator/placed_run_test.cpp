@@ -48,6 +48,7 @@ TEST_CASE("a robot with its code in SRAM runs as in flash, also where flash miss
       CHECK(order_of(sram) == order_of(flash));
       CHECK(sram["image"]["code_ram"] > 16'000);
       CHECK(sram["image"]["ram"] == flash["image"]["ram"]);
+      REQUIRE(!sram["stages"].empty());
       REQUIRE(sram["stages"].size() == flash["stages"].size());
       for (std::size_t i = 0; i < flash["stages"].size(); ++i) {
         const double in_sram = sram["stages"][i]["own_max_ns"], in_flash = flash["stages"][i]["own_max_ns"];

@@ -34,6 +34,7 @@ struct ProbeRun {
   /// The firmware has noticed nothing.
   [[nodiscard]] bool counts_nothing() const {
     if (!document["fault_counts"].empty() || document["overruns"] != 0 || document["resets"] != 0) return false;
+    REQUIRE(!document["monitor"].empty());
     for (const auto& device : document["monitor"]) {
       if (device["response_violations"] != 0 || device["age_violations"] != 0) return false;
     }
