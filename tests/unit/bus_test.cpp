@@ -67,6 +67,19 @@ TEST_CASE("a unit takes what its bytes and the frames around them take") {
   CHECK(unit(BusKind::spi, 2, 9, Mover::dma) == Figures{72, 0, 1});
   CHECK(unit(BusKind::can, 0, 0) == Figures{55, 0, 1});
   CHECK(unit(BusKind::can, 9, 0) == Figures{135 + 65, 0, 2});
+  CHECK(unit(BusKind::i2c, 0, 0) == Figures{2 + 10, 2, 1});  // an address that is asked whether somebody answers
+}
+
+TEST_CASE("on CAN an answer is asked for by a frame, which may be without data; what a part sends by itself is not") {
+  const WireUnit polled = bus_type(BusKind::can).unit({.read = 8}), written = bus_type(BusKind::can).unit({1, 8});
+  CHECK(polled.bits == 55 + 135);
+  CHECK(polled.ends == 1);
+  CHECK(polled.answers == 1);
+  CHECK(written.bits == 65 + 135);
+  const WireUnit sent = bus_type(BusKind::can).unit({.read = 8, .is_asked_for = false});
+  CHECK(sent.bits == 135);
+  CHECK(sent.ends == 1);
+  CHECK(sent.answers == 0);
 }
 
 TEST_CASE("a port makes the rate that its rule puts nearest to the one asked for") {

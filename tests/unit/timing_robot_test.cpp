@@ -248,6 +248,16 @@ TEST_CASE("nothing has a bound over a bus where a device does not say what it se
   }
 }
 
+TEST_CASE("what leaves has no bound where a device does not say what it sends, on whatever bus") {
+  Robots robot = Robots::with(R"(<bus name="line" type="rs485" port="usart1" baud="115200baud"/>
+        <device name="node" type="mute_on_rs485" period="10ms" bus="line" id="3"/>)");
+  Diagnostics findings;
+  const auto timing = analyse(robot.model, {}, findings);
+  REQUIRE(timing);
+  CHECK(chain(*timing, "node", "node").decide);
+  CHECK(!chain(*timing, "node", "node").wire);
+}
+
 TEST_CASE("software asks for transfers at any distance") {
   const Robots robot = Robots::with(R"(<bus name="can" type="can" port="can1" bitrate="1Mbit/s"/>
       <device name="a" type="dji_m3508" period="2ms" bus="can" id="1"/>)");
