@@ -109,7 +109,8 @@ void find_missing_wcet(const CheckedDevice& checked, Findings& findings) {
   findings.add(device, fmt::format("device '{}' has no <wcet>", device.name.text))
       .note(
           fmt::format("update {} and handle {} are assumed; every bound that depends on them says so", update, handle))
-      .hint(fmt::format("add <wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> if it keeps to that; finemote run "
+      .hint("let finemote wcet compute bounds of all stages from the image, in a timing file beside the robot")
+      .hint(fmt::format("or add <wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> if it keeps to that; finemote run "
                         "prints the element with source=\"measured\"",
                         update, handle));
 }

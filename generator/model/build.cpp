@@ -99,7 +99,7 @@ void check_version_is_given(const Tags& tags, Diagnostics& diagnostics) {
 void report_no_extension(const xml::Node& root, Diagnostics& diagnostics) {
   at_tag(diagnostics, code::no_extension, root, "the robot has no <finemote> element")
       .note("it describes the robot's board, buses and devices; ROS tools ignore it")
-      .hint("add <finemote version=\"1\"> ... </finemote> inside <robot>");
+      .hint("add inside <robot>: <finemote version=\"1\"><board name=\"robomaster_type_c\"/></finemote>");
 }
 
 /// Buses and boards alone are nothing to run: said when nothing else explains where the devices went.
