@@ -7,7 +7,7 @@
 #include "generator/input/read_document.hpp"
 #include "generator/model/build.hpp"
 #include "generator/model/firmware_inputs.hpp"
-#include "generator/timing/remodel.hpp"
+#include "generator/tasks/remodel.hpp"
 #include "generator/timing_file/inputs_hash.hpp"
 
 namespace finemote::gen {

@@ -12,7 +12,7 @@
 #include "generator/timing/json.hpp"
 #include "generator/timing/operands.hpp"
 #include "generator/timing/phase_lag.hpp"
-#include "generator/timing/remodel.hpp"
+#include "generator/tasks/remodel.hpp"
 #include "generator/timing/reorder.hpp"
 #include "generator/timing/slack.hpp"
 #include "generator/timing/table.hpp"

@@ -22,8 +22,8 @@
 #include "generator/run/check_wcet.hpp"
 #include "generator/run/project.hpp"
 #include "generator/scaffold/fill_folder.hpp"
-#include "generator/timing/from_robot.hpp"
-#include "generator/timing/robot_costs.hpp"
+#include "generator/tasks/from_robot.hpp"
+#include "generator/tasks/robot_costs.hpp"
 
 namespace finemote::gen {
 namespace {

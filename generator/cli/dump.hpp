@@ -4,7 +4,7 @@
 #include "generator/cli/answer.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/input/input.hpp"
-#include "generator/timing/from_robot.hpp"
+#include "generator/tasks/from_robot.hpp"
 
 namespace finemote::gen {
 

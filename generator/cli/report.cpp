@@ -7,8 +7,8 @@
 #include "generator/diagnostic/clash.hpp"
 #include "generator/report/page.hpp"
 #include "generator/simulate/json.hpp"
+#include "generator/tasks/remodel.hpp"
 #include "generator/timing/operands.hpp"
-#include "generator/timing/remodel.hpp"
 #include "generator/timing_file/user_code.hpp"
 
 namespace finemote::gen {

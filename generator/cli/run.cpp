@@ -29,7 +29,7 @@
 #include "generator/run/run_trace.hpp"
 #include "generator/run/told_loops.hpp"
 #include "generator/run/work_folder.hpp"
-#include "generator/timing/from_robot.hpp"
+#include "generator/tasks/from_robot.hpp"
 #include "generator/timing/operands.hpp"
 #include "generator/timing_file/user_code.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "generator/cli/options.hpp"
 #include "generator/pipeline.hpp"
-#include "generator/timing/from_robot.hpp"
+#include "generator/tasks/from_robot.hpp"
 
 namespace finemote::gen {
 

@@ -17,7 +17,7 @@
 #include "generator/run/wcet_explain.hpp"
 #include "generator/run/wcet_scheduler.hpp"
 #include "generator/run/work_folder.hpp"
-#include "generator/timing/bounds.hpp"
+#include "generator/tasks/bounds.hpp"
 #include "generator/timing_file/user_code.hpp"
 
 namespace finemote::gen {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "generator/emit/names.hpp"
-#include "generator/timing/bounds.hpp"
+#include "generator/tasks/bounds.hpp"
 
 namespace finemote::gen {
 

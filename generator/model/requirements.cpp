@@ -6,8 +6,8 @@
 
 #include "generator/model/attributes.hpp"
 #include "generator/model/no_segment.hpp"
-#include "generator/model/operand_text.hpp"
 #include "generator/model/reading.hpp"
+#include "generator/units/operand_text.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {

@@ -2,7 +2,7 @@
 
 #include "generator/run/run_series.hpp"
 #include "generator/run/violation.hpp"
-#include "generator/timing/from_robot.hpp"
+#include "generator/tasks/from_robot.hpp"
 #include "generator/timing/words.hpp"
 
 namespace finemote::gen {

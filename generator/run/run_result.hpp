@@ -9,7 +9,7 @@
 #include "generator/run/order.hpp"
 #include "generator/run/told_loops.hpp"
 #include "generator/schedule/schedule.hpp"
-#include "generator/timing/bounds.hpp"
+#include "generator/tasks/bounds.hpp"
 
 namespace finemote::gen {
 

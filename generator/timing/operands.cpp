@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "generator/diagnostic/suggest.hpp"
-#include "generator/model/operand_text.hpp"
+#include "generator/units/operand_text.hpp"
 
 namespace finemote::gen::timing {
 namespace {

@@ -32,7 +32,7 @@ struct MemoryWaits {
 
 /// Longest wait of one access beyond what the instruction takes, wherever in `address` it goes; a store waits for its
 /// write here, not where the next access meets it. DMA is not in it: it is a stream of its own
-/// (timing/robot_buses.cpp). An address of which nothing is known is one of a variable or a constant: no variable holds
+/// (tasks/robot_buses.cpp). An address of which nothing is known is one of a variable or a constant: no variable holds
 /// the address of a peripheral, and where the code runs in SRAM the constants lie there, too. None of what is outside
 /// of the chip: how long it takes depends on its memory controller.
 std::optional<Cycles> longest_wait(Interval address, Placement placement, const MemoryWaits& waits);

@@ -10,7 +10,7 @@
 
 namespace {
 
-// What the analysis counts for the copy of a value of a shipped interface: generator/timing/from_robot.cpp.
+// What the analysis counts for the copy of a value of a shipped interface: generator/tasks/from_robot.cpp.
 constexpr std::size_t kShippedBytes = 96;
 
 template <class... Values>

@@ -1,4 +1,5 @@
-// Which folder of the generator may use which: what generator/README.md lists, and nothing against its order.
+// Which folder of the generator may use which, and what it and the emulator use of each other: what generator/README.md
+// and emulator/README.md list, and nothing against their order.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -22,7 +23,9 @@ struct Row {
   std::set<std::string> uses;
 };
 
-const fs::path kGenerator = fs::path(finemote::test::source_dir()) / "generator";
+const fs::path kSources = finemote::test::source_dir();
+const fs::path kGenerator = kSources / "generator";
+const std::string kEmulator = "emulator";  ///< the folder beside the generator, in the list of what its folders use
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
@@ -59,23 +62,59 @@ std::string folder_of(const std::string& path) {
   return slash == std::string::npos ? "pipeline" : path.substr(0, slash);
 }
 
-/// Folders that each folder includes, with one file that does.
-std::map<std::string, std::map<std::string, std::string>> included_folders() {
+/// Folders of what is included, with one file that does.
+using Included = std::map<std::string, std::string>;
+
+bool is_source(const fs::path& file) { return file.extension() == ".cpp" || file.extension() == ".hpp"; }
+
+/// The folder of the generator that a line of a file includes, or the emulator; empty: neither.
+std::string included_folder(const std::string& line) {
   const std::string begin = "#include \"generator/";
-  std::map<std::string, std::map<std::string, std::string>> arrows;
+  if (line.rfind("#include \"" + kEmulator + "/", 0) == 0) return kEmulator;
+  if (line.rfind(begin, 0) != 0 || line.find("version.hpp") != std::string::npos) return "";
+  return folder_of(line.substr(begin.size()));
+}
+
+/// Adds what a file includes of folders other than its own.
+void note_included(const fs::path& file, const std::string& own, Included& used) {
+  std::istringstream text(read(file));
+  for (std::string line; std::getline(text, line);) {
+    const std::string folder = included_folder(line);
+    if (!folder.empty() && folder != own) used.emplace(folder, file.lexically_relative(kSources).generic_string());
+  }
+}
+
+/// Of each folder of the generator.
+std::map<std::string, Included> included_by_folders() {
+  std::map<std::string, Included> arrows;
   for (const auto& entry : fs::recursive_directory_iterator(kGenerator)) {
-    const fs::path extension = entry.path().extension();
-    if (extension != ".cpp" && extension != ".hpp") continue;
-    const std::string file = entry.path().lexically_relative(kGenerator).generic_string();
-    auto& used = arrows[folder_of(file)];
-    std::istringstream text(read(entry.path()));
-    for (std::string line; std::getline(text, line);) {
-      if (line.rfind(begin, 0) != 0 || line.find("version.hpp") != std::string::npos) continue;
-      const std::string other = folder_of(line.substr(begin.size()));
-      if (other != folder_of(file)) used.emplace(other, file);
-    }
+    if (!is_source(entry.path())) continue;
+    const std::string folder = folder_of(entry.path().lexically_relative(kGenerator).generic_string());
+    note_included(entry.path(), folder, arrows[folder]);
   }
   return arrows;
+}
+
+/// Folders of the generator that the emulator includes.
+Included included_by_emulator() {
+  Included used;
+  for (const auto& entry : fs::recursive_directory_iterator(kSources / kEmulator)) {
+    if (is_source(entry.path())) note_included(entry.path(), kEmulator, used);
+  }
+  return used;
+}
+
+/// Folders of the generator that the emulator may use: the words in backquotes of one line of its page.
+std::set<std::string> listed_for_emulator() {
+  std::istringstream page(read(kSources / kEmulator / "README.md"));
+  std::set<std::string> folders;
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("From the generator it takes ", 0) != 0) continue;
+    std::istringstream rest(line);
+    for (std::string text, folder; std::getline(rest, text, '`') && std::getline(rest, folder, '`');)
+      folders.insert(folder);
+  }
+  return folders;
 }
 
 }  // namespace
@@ -83,7 +122,7 @@ std::map<std::string, std::map<std::string, std::string>> included_folders() {
 TEST_CASE("a folder of the generator includes only those that generator/README.md allows it") {
   const std::vector<Row> rows = listed_rows();
   REQUIRE_FALSE(rows.empty());
-  for (const auto& [folder, arrows] : included_folders()) {
+  for (const auto& [folder, arrows] : included_by_folders()) {
     const auto row =
         std::find_if(rows.begin(), rows.end(), [&, name = folder](const Row& r) { return r.folder == name; });
     if (row == rows.end()) {
@@ -91,8 +130,7 @@ TEST_CASE("a folder of the generator includes only those that generator/README.m
       continue;
     }
     for (const auto& [used, file] : arrows) {
-      if (!row->uses.contains(used))
-        FAIL_CHECK("generator/" << file << " includes '" << used << "', which is not listed");
+      if (!row->uses.contains(used)) FAIL_CHECK(file << " includes '" << used << "', which is not listed");
     }
     for (const std::string& used : row->uses) {
       if (!arrows.contains(used)) FAIL_CHECK("'" << folder << "' does not use '" << used << "': take it from the list");
@@ -100,9 +138,24 @@ TEST_CASE("a folder of the generator includes only those that generator/README.m
   }
 }
 
+TEST_CASE("the emulator includes only those folders of the generator that emulator/README.md allows it") {
+  const std::set<std::string> listed = listed_for_emulator();
+  const Included used = included_by_emulator();
+  REQUIRE_FALSE(used.empty());
+  for (const auto& [folder, file] : used) {
+    if (!listed.contains(folder)) FAIL_CHECK(file << " includes '" << folder << "', which is not listed");
+  }
+  for (const std::string& folder : listed) {
+    if (!used.contains(folder)) FAIL_CHECK("the emulator does not use '" << folder << "': take it from the list");
+  }
+}
+
 TEST_CASE("arrows point up the page: a folder uses only folders listed before it") {
+  const std::set<std::string> of_emulator = listed_for_emulator();
   std::set<std::string> before;
   for (const Row& row : listed_rows()) {
+    // The emulator stands behind the last folder that it uses.
+    if (std::includes(before.begin(), before.end(), of_emulator.begin(), of_emulator.end())) before.insert(kEmulator);
     for (const std::string& used : row.uses) {
       if (!before.contains(used))
         FAIL_CHECK("'" << row.folder << "' uses '" << used << "', which is not listed before it");
@@ -113,12 +166,11 @@ TEST_CASE("arrows point up the page: a folder uses only folders listed before it
 
 namespace {
 
-/// Whether a file below `folder` includes something of `other`.
+/// Fails for every file below `folder` that includes one of `others`.
 void check_apart(const std::string& folder, const std::vector<std::string>& others) {
-  const fs::path top = fs::path(finemote::test::source_dir()) / folder;
   std::size_t files = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(top)) {
-    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+  for (const auto& entry : fs::recursive_directory_iterator(kSources / folder)) {
+    if (!is_source(entry.path())) continue;
     ++files;
     const std::string text = read(entry.path());
     for (const std::string& other : others) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "duration_literals.hpp"
+#include "generator/tasks/remodel.hpp"
 #include "generator/timing/remedy.hpp"
-#include "generator/timing/remodel.hpp"
 #include "timing_random.hpp"
 #include "timing_robots.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catch.hpp"
+#include "generator/tasks/from_robot.hpp"
 #include "generator/timing/analyse.hpp"
-#include "generator/timing/from_robot.hpp"
 #include "unit/robot_plan.hpp"
 
 namespace finemote::gen::timing {

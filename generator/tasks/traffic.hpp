@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "generator/timing/bus_use.hpp"
-#include "generator/timing/connection.hpp"
-#include "generator/timing/robot_buses.hpp"
-#include "generator/timing/wire_use.hpp"
+#include "generator/tasks/bus_use.hpp"
+#include "generator/tasks/connection.hpp"
+#include "generator/tasks/robot_buses.hpp"
+#include "generator/tasks/wire_use.hpp"
 
 namespace finemote::gen::timing {
 

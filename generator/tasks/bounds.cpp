@@ -1,4 +1,4 @@
-#include "generator/timing/bounds.hpp"
+#include "generator/tasks/bounds.hpp"
 
 namespace finemote::gen::timing {
 

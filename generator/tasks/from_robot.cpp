@@ -1,14 +1,14 @@
-#include "generator/timing/from_robot.hpp"
+#include "generator/tasks/from_robot.hpp"
 
 #include <algorithm>
 
 #include "generator/model/conversion.hpp"
 #include "generator/model/part_clock.hpp"
 #include "generator/model/sample_interval.hpp"
-#include "generator/timing/robot_costs.hpp"
-#include "generator/timing/robot_flushes.hpp"
-#include "generator/timing/streamed_work.hpp"
-#include "generator/timing/traffic.hpp"
+#include "generator/tasks/robot_costs.hpp"
+#include "generator/tasks/robot_flushes.hpp"
+#include "generator/tasks/streamed_work.hpp"
+#include "generator/tasks/traffic.hpp"
 
 namespace finemote::gen::timing {
 namespace {

@@ -1,7 +1,7 @@
 // Robot to what its firmware can be held to: how late every handle() ends, and how old the data behind its command is.
 #pragma once
 
-#include "generator/timing/from_robot.hpp"
+#include "generator/tasks/from_robot.hpp"
 
 namespace finemote::gen::timing {
 

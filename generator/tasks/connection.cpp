@@ -1,4 +1,4 @@
-#include "generator/timing/connection.hpp"
+#include "generator/tasks/connection.hpp"
 
 namespace finemote::gen::timing {
 

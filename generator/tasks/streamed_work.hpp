@@ -1,7 +1,8 @@
 // The frames that update() takes apart: fewer than fit two periods where its response time is known.
 #pragma once
 
-#include "generator/timing/from_robot.hpp"
+#include "generator/forest/forest.hpp"
+#include "generator/timing/model.hpp"
 
 namespace finemote::gen::timing {
 

@@ -1,4 +1,4 @@
-#include "generator/timing/wire_use.hpp"
+#include "generator/tasks/wire_use.hpp"
 
 #include "generator/bus/bus_type.hpp"
 

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "generator/schedule/schedule.hpp"
-#include "generator/timing/from_robot.hpp"
+#include "generator/tasks/robot_timing_options.hpp"
+#include "generator/timing/model.hpp"
 
 namespace finemote::gen::timing {
 

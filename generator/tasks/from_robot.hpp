@@ -3,15 +3,10 @@
 
 #include "generator/forest/forest.hpp"
 #include "generator/schedule/schedule.hpp"
+#include "generator/tasks/robot_timing_options.hpp"
 #include "generator/timing/analyse.hpp"
 
 namespace finemote::gen::timing {
-
-struct RobotTimingOptions {
-  bool trace = false;                    ///< the trace option is on: every stage records two events
-  bool monitor = false;                  ///< the monitor option is on: every handle and every job is looked at
-  std::optional<Duration> assumed_wcet;  ///< instead of every assumed execution time (`--assume-wcet`)
-};
 
 /// What an execution time of a robot rests on. The tag's word `static` is the user's: it is declared.
 WcetSource source_of(Wcet::Source source);

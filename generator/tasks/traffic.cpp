@@ -1,4 +1,4 @@
-#include "generator/timing/traffic.hpp"
+#include "generator/tasks/traffic.hpp"
 
 #include <algorithm>
 #include <map>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "generator/schedule/schedule.hpp"
-#include "generator/timing/traffic.hpp"
+#include "generator/tasks/traffic.hpp"
 
 namespace finemote::gen::timing {
 

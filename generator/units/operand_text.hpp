@@ -1,4 +1,4 @@
-// One end of a chain as people write it, in <require> and in --chain, to what it names.
+// One end of a chain as people write it, in <require> and in --chain, to the names in it.
 #pragma once
 
 #include <string_view>

@@ -1,10 +1,10 @@
-#include "generator/timing/remodel.hpp"
+#include "generator/tasks/remodel.hpp"
 
 #include <algorithm>
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/schedule/schedule.hpp"
-#include "generator/timing/robot_buses.hpp"
+#include "generator/tasks/robot_buses.hpp"
 
 namespace finemote::gen::timing {
 namespace {

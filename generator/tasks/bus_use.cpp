@@ -1,4 +1,4 @@
-#include "generator/timing/bus_use.hpp"
+#include "generator/tasks/bus_use.hpp"
 
 #include <algorithm>
 #include <map>

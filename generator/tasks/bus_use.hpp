@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "generator/model/robot.hpp"
-#include "generator/timing/connection.hpp"
+#include "generator/tasks/connection.hpp"
 
 namespace finemote::gen::timing {
 

@@ -3,7 +3,7 @@
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/model/robot.hpp"
-#include "generator/timing/bus_use.hpp"
+#include "generator/tasks/bus_use.hpp"
 #include "generator/timing/model.hpp"
 
 namespace finemote::gen::timing {

@@ -1,11 +1,11 @@
-#include "generator/timing/robot_flushes.hpp"
+#include "generator/tasks/robot_flushes.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/model/shared_frame.hpp"
-#include "generator/timing/robot_costs.hpp"
+#include "generator/tasks/robot_costs.hpp"
 
 namespace finemote::gen::timing {
 namespace {

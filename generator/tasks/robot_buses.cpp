@@ -1,4 +1,4 @@
-#include "generator/timing/robot_buses.hpp"
+#include "generator/tasks/robot_buses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "generator/model/offers.hpp"
 #include "generator/model/part_clock.hpp"
 #include "generator/model/port_rates.hpp"
-#include "generator/timing/connection.hpp"
+#include "generator/tasks/connection.hpp"
 #include "generator/units/clock_tolerance.hpp"
 
 namespace finemote::gen::timing {

@@ -1,4 +1,4 @@
-#include "generator/timing/robot_costs.hpp"
+#include "generator/tasks/robot_costs.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // Changes of a robot's description to the timing model it then has.
 #pragma once
 
+#include "generator/tasks/from_robot.hpp"
 #include "generator/timing/change.hpp"
-#include "generator/timing/from_robot.hpp"
 
 namespace finemote::gen::timing {
 

@@ -1,4 +1,4 @@
-#include "generator/timing/streamed_work.hpp"
+#include "generator/tasks/streamed_work.hpp"
 
 #include "generator/model/streamed_frames.hpp"
 #include "generator/timing/response.hpp"
