@@ -8,11 +8,11 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/dump.hpp"
 #include "generator/cli/subject.hpp"
+#include "generator/tasks/remodel.hpp"
 #include "generator/timing/cost_labels.hpp"
 #include "generator/timing/json.hpp"
 #include "generator/timing/operands.hpp"
 #include "generator/timing/phase_lag.hpp"
-#include "generator/tasks/remodel.hpp"
 #include "generator/timing/reorder.hpp"
 #include "generator/timing/slack.hpp"
 #include "generator/timing/table.hpp"
@@ -161,7 +161,7 @@ bool report_not_static(const timing::Model& model, const std::string& input, Dia
   const std::vector<std::string> others = costs_not_static(model);
   if (!is_static || others.empty()) return is_static;  // who computes those of the stages gets these as well
   judged
-      .error(code::timing_not_static, model.devices.empty() ? Position{} : model.devices[Rank{}].at,
+      .error(code::timing_not_static, timing::at_first_device(model),
              fmt::format("what the scheduler and the interrupts take is not static: {}", fmt::join(others, ", ")))
       .note("an image with a part that has no bound, or a timing file of an older version, has none for these either");
   return false;

@@ -31,7 +31,7 @@ std::optional<Answers> answers_of(const timing::Model& model, const timing::Anal
     return Answers{{timing::timing_json(*timing), simulation_json(*timing, run, request), nullptr, nullptr},
                    recorder.timeline()};
   } catch (const Overflow& overflow) {
-    timing::report_overflow(timing::start(model), overflow, findings);
+    timing::report_overflow(timing::at_first_device(model), overflow, findings);
     return std::nullopt;
   }
 }

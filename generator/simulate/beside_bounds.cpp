@@ -55,7 +55,7 @@ std::optional<SimulatedModel> simulate_beside_bounds(const timing::Model& model,
     Simulation run = simulate_traced(model, options_beside(*timing, request), trace);
     return SimulatedModel{std::move(*timing), std::move(run)};
   } catch (const Overflow& overflow) {
-    timing::report_overflow(timing::start(model), overflow, diagnostics);
+    timing::report_overflow(timing::at_first_device(model), overflow, diagnostics);
     return std::nullopt;
   }
 }

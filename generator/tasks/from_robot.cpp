@@ -154,8 +154,8 @@ Model model_of(const Robot& robot, const Forest& forest, const Schedule& schedul
   return model;
 }
 
-/// Where a finding about the whole robot points: its first device.
-Position start(const Robot& robot, const Forest& forest) {
+/// Where a finding about the whole robot points while there is no model of it.
+Position at_first_device(const Robot& robot, const Forest& forest) {
   return forest.order.empty() ? Position{} : robot.devices[forest.order[Rank{}]].at;
 }
 
@@ -185,7 +185,7 @@ std::optional<Model> make_timing_model(const Robot& robot, const Forest& forest,
     if (options.trace || options.monitor || is_guess) assume_computed(model);
     return model;
   } catch (const Overflow& overflow) {
-    report_overflow(start(robot, forest), overflow, diagnostics);
+    report_overflow(at_first_device(robot, forest), overflow, diagnostics);
     return std::nullopt;
   }
 }

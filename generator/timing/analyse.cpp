@@ -184,12 +184,12 @@ RequirementResult left_open(const Requirement& r) {
 /// What a hint on deadlines and loads needs to know of a changed model; requirements on latencies are not judged.
 Timing analyse_verdict(const Model& model, const AnalysisRequest& request) {
   Timing timing;
-  timing.asked = request.profile.value_or(model.has_target ? Profile::target : Profile::tight);
+  timing.asked = request.profile.value_or(best_profile(model));
   ProfileAnalysis asked = analyse_deadlines(model, timing.asked, request.limits);
   // Loads and jitter are those of the best profile, whichever is asked for.
-  const Profile best_profile = model.has_target ? Profile::target : Profile::tight;
+  const Profile of_loads = best_profile(model);
   std::optional<ProfileAnalysis> other;
-  if (best_profile != timing.asked) other = analyse_deadlines(model, best_profile, request.limits);
+  if (of_loads != timing.asked) other = analyse_deadlines(model, of_loads, request.limits);
   const ProfileAnalysis& best = other ? *other : asked;
   Effort effort(request.limits.steps, best.most_releases);
   timing.bus_loads = WireAnalysis(model, best, effort).loads();
@@ -201,6 +201,18 @@ Timing analyse_verdict(const Model& model, const AnalysisRequest& request) {
   return timing;
 }
 
+/// FM4018 of every chain that leads nowhere.
+void report_unconnected(const Model& model, const ChainAnalysis& chains, const std::vector<ChainRequest>& asked,
+                        Diagnostics& diagnostics) {
+  for (const ChainRequest& c : asked) {
+    if (chains.connected(c.from, c.to)) continue;
+    diagnostics.error(
+        code::timing_chain, model.devices[c.from].at,
+        fmt::format("no data leads from '{}' to '{}'", model.devices[c.from].name, model.devices[c.to].name));
+  }
+}
+
+/// Every profile, chains, loads and requirements. Reports FM4018, and nothing of what was found.
 std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics) {
   const Topology topology = make_topology(model);
   Timing timing;
@@ -216,12 +228,7 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   const ChainAnalysis chains(model, topology, best, wire, effort);
   timing.chains = chains.defaults();
   if (request.inputs) timing.inputs = chains.oldest_inputs();
-  for (const ChainRequest& c : request.chains) {
-    if (chains.connected(c.from, c.to)) continue;
-    diagnostics.error(
-        code::timing_chain, model.devices[c.from].at,
-        fmt::format("no data leads from '{}' to '{}'", model.devices[c.from].name, model.devices[c.to].name));
-  }
+  report_unconnected(model, chains, request.chains, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   const std::vector<Requirement> requirements = reach_actuators(request.requirements, model, topology);
   for (const ChainRequest& c : asked_chains(request, requirements)) add_chain(chains, c, timing.chains);
@@ -234,7 +241,7 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
     if (model.devices[d].source == WcetSource::assumed) timing.assumed.push_back(d);
     if (model.devices[d].is_above_declared) timing.above_declared.push_back(d);
   }
-  timing.asked = request.profile.value_or(target ? Profile::target : Profile::tight);
+  timing.asked = request.profile.value_or(best_profile(model));
   const ProfileAnalysis& asked = timing.asked == Profile::paper   ? paper
                                  : timing.asked == Profile::tight ? tight
                                                                   : *target;
@@ -244,6 +251,11 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   timing.tight = std::move(tight.result);
   if (target) timing.target = std::move(target->result);
   timing.schedulable = timing.verdict().schedulable;
+  return timing;
+}
+
+/// Reports what was found, each with hints that were tried, and fills Timing::missing by trials of the same kind.
+void report_findings(const AnalysisRequest& request, Timing& timing, Diagnostics& diagnostics) {
   Trials trials(timing, request);
   if (!report_release(timing, diagnostics)) report_buckets(timing, trials, diagnostics);
   report_requirements(timing, trials, diagnostics);
@@ -251,7 +263,6 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   timing.missing = missing_bounds(timing, trials);
   report_bus_overloads(timing, trials, diagnostics);
   report_remarks(timing, diagnostics);
-  return timing;
 }
 
 }  // namespace
@@ -269,7 +280,7 @@ std::optional<Duration> jitter_bound(const Model& model, const ProfileResult& pr
   return *response - least_time(model, bucket->devices, device);
 }
 
-Position start(const Model& model) { return model.devices.empty() ? Position{} : model.devices[Rank{}].at; }
+Position at_first_device(const Model& model) { return model.devices.empty() ? Position{} : model.devices[Rank{}].at; }
 
 void report_overflow(const Position& at, const Overflow& overflow, Diagnostics& diagnostics) {
   diagnostics.error(code::timing_overflow, at, fmt::format("{} does not fit signed 64 bits", overflow.what()))
@@ -278,15 +289,18 @@ void report_overflow(const Position& at, const Overflow& overflow, Diagnostics& 
 
 std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics) {
   if (request.profile == Profile::target && !model.has_target) {
-    diagnostics.error(code::timing_profile, start(model), "profile 'target' needs costs, and this model has none")
+    diagnostics
+        .error(code::timing_profile, at_first_device(model), "profile 'target' needs costs, and this model has none")
         .hint("add 'costs' to the model, or ask for profile tight");
     return std::nullopt;
   }
   try {
     if (request.verdict_only) return analyse_verdict(model, request);
-    return analyse_all(model, request, diagnostics);
+    std::optional<Timing> timing = analyse_all(model, request, diagnostics);
+    if (timing) report_findings(request, *timing, diagnostics);
+    return timing;
   } catch (const Overflow& overflow) {
-    report_overflow(start(model), overflow, diagnostics);
+    report_overflow(at_first_device(model), overflow, diagnostics);
   }
   return std::nullopt;
 }

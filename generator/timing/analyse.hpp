@@ -39,7 +39,7 @@ struct RequirementResult {
 };
 
 struct AnalysisRequest {
-  std::optional<Profile> profile;    ///< whose verdict counts; none: target where the model has one, else tight
+  std::optional<Profile> profile;    ///< whose verdict counts; none: best_profile of the model
   std::vector<ChainRequest> chains;  ///< beyond the default ones
   std::vector<Requirement> requirements;
   bool chains_alone = false;  ///< requirements add their chains, and are not judged
@@ -63,7 +63,7 @@ struct Timing {
   ProfileResult paper, tight;
   std::optional<ProfileResult> target;
   Profile asked = Profile::tight;   ///< of the verdict
-  std::vector<ChainResult> chains;  ///< of `target` where there is one, else `tight`
+  std::vector<ChainResult> chains;  ///< of the best profile
   std::vector<ChainResult> inputs;  ///< on request: the oldest data behind every command (ChainAnalysis::oldest_inputs)
   std::vector<RequirementResult> requirements;
   Table<BusPlace, BusLoad> bus_loads;
@@ -74,6 +74,8 @@ struct Timing {
   std::vector<Rank> above_declared;     ///< devices whose computed execution time is above the declared one
   bool schedulable = false;             ///< in the asked profile
 
+  /// Of best_profile: chains and loads are by it.
+  [[nodiscard]] const ProfileResult& best() const { return target ? *target : tight; }
   [[nodiscard]] const ProfileResult& verdict() const {
     return asked == Profile::paper ? paper : asked == Profile::target && target ? *target : tight;
   }
@@ -91,26 +93,10 @@ std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request
 /// needs to get there. None where the response has no bound.
 std::optional<Duration> jitter_bound(const Model& model, const ProfileResult& profile, Rank device);
 
-/// Where a finding about the whole model points: its first device.
-Position start(const Model& model);
+/// Where a finding about the whole model points.
+Position at_first_device(const Model& model);
 
 /// Reports FM4010: what was calculated with the times of a model left 64 bits.
 void report_overflow(const Position& at, const Overflow& overflow, Diagnostics& diagnostics);
-
-/// Largest factor, in thousandths, all execution times of devices (`only`: of one) can be multiplied with such that
-/// every bucket of the profile still ends in its period; 0 when it does not even at 0; `kMostSlack` when nothing limits
-/// it.
-inline constexpr std::int64_t kMostSlack = 1'000'000;
-std::int64_t slack_permille(const Model& model, Profile profile, std::optional<Rank> only = std::nullopt);
-
-/// Another order of registration: the device of each new rank, by its rank in the model as it is.
-using Order = Table<Rank, Rank>;
-
-/// An order of the same devices (siblings and roots exchanged, children before parents) with smaller latencies of
-/// trees. The order as it is when no better one was found within the budget of trials.
-Order suggest_order(const Model& model, Profile profile);
-
-/// The model with its devices registered in another order.
-Model reorder(const Model& model, const Order& order);
 
 }  // namespace finemote::gen::timing

@@ -15,6 +15,10 @@ struct Limits {
   std::int64_t steps = std::int64_t{1} << 26;
 };
 
+/// Of one among many models that are tried, an order of devices or a factor of their times; an ordinary robot needs
+/// some thousands.
+inline constexpr Limits kTrialLimits{1'000'000, 1'000, std::int64_t{1} << 22};
+
 /// What is left of the limits of one analysis.
 class Effort {
  public:

@@ -99,6 +99,8 @@ std::string_view profile_name(Profile profile) {
   return "";
 }
 
+Profile best_profile(const Model& model) { return model.has_target ? Profile::target : Profile::tight; }
+
 ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile, const Limits& limits) {
   TaskSet set = make_task_set(model, profile);
   const std::int64_t releases = most_releases(set, limits);

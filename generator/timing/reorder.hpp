@@ -9,6 +9,16 @@
 
 namespace finemote::gen::timing {
 
+/// Another order of registration: the device of each new rank, by its rank in the model as it is.
+using Order = Table<Rank, Rank>;
+
+/// An order of the same devices (siblings and roots exchanged, children before parents) with smaller latencies of
+/// trees. The order as it is when no better one was found within the budget of trials.
+Order suggest_order(const Model& model, Profile profile);
+
+/// The model with its devices registered in another order.
+Model reorder(const Model& model, const Order& order);
+
 /// A bound before and after.
 struct ChangedBound {
   std::string what;  ///< the root of a tree, or `imu -> esc`

@@ -15,6 +15,9 @@ enum class Profile { paper, tight, target };
 
 std::string_view profile_name(Profile profile);
 
+/// The one that knows the robot best: `target` where the model has one, else `tight`.
+Profile best_profile(const Model& model);
+
 struct Utilization {
   std::string exact;  ///< reduced fraction `p/q`
   double value = 0;

@@ -1,6 +1,54 @@
 #include "generator/timing/slack.hpp"
 
+#include <algorithm>
+
+#include "generator/timing/response.hpp"
+
 namespace finemote::gen::timing {
+namespace {
+
+bool is_schedulable(const Model& model, Profile profile) {
+  try {
+    Effort effort(kTrialLimits);
+    const TaskSet set = make_task_set(model, profile);
+    const Responses responses = bound_responses(set, effort);
+    return std::none_of(responses.bucket.begin(), responses.bucket.end(), [](Duration r) { return r == kNone; });
+  } catch (const Overflow&) {
+    return false;
+  }
+}
+
+/// Rounded up: a time that still fits fits exactly.
+Duration scaled(Duration time, std::int64_t permille) { return ceil_div(time * permille, 1000); }
+
+bool survives(const Model& model, Profile profile, std::optional<Rank> only, std::int64_t permille) {
+  Model trial = model;
+  try {
+    for (const Rank d : trial.devices.ids()) {
+      if (only && *only != d) continue;
+      Device& device = trial.devices[d];
+      device.update_wcet = scaled(device.update_wcet, permille);
+      device.handle_wcet = scaled(device.handle_wcet, permille);
+    }
+  } catch (const Overflow&) {
+    return false;
+  }
+  return is_schedulable(trial, profile);
+}
+
+}  // namespace
+
+std::int64_t slack_permille(const Model& model, Profile profile, std::optional<Rank> only) {
+  if (!survives(model, profile, only, 0)) return 0;
+  std::int64_t good = 0, bad = 1000;
+  while (bad < kMostSlack && survives(model, profile, only, bad)) good = bad, bad *= 2;
+  if (bad >= kMostSlack) return kMostSlack;
+  while (bad - good > 1) {
+    const std::int64_t middle = good + (bad - good) / 2;
+    (survives(model, profile, only, middle) ? good : bad) = middle;
+  }
+  return good;
+}
 
 Slack find_slack(const Model& model, Profile profile) {
   constexpr std::size_t kMostDevices = 500;

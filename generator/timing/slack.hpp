@@ -1,11 +1,20 @@
 // How much execution times may grow before a deadline is missed.
 #pragma once
 
-#include <vector>
+#include <cstdint>
+#include <optional>
 
-#include "generator/timing/analyse.hpp"
+#include "generator/timing/result.hpp"
 
 namespace finemote::gen::timing {
+
+/// As slack_permille: nothing limits it.
+inline constexpr std::int64_t kMostSlack = 1'000'000;
+
+/// Largest factor, in thousandths, all execution times of devices (`only`: of one) can be multiplied with such that
+/// every bucket of the profile still ends in its period; 0 when it does not even at 0; `kMostSlack` when nothing limits
+/// it.
+std::int64_t slack_permille(const Model& model, Profile profile, std::optional<Rank> only = std::nullopt);
 
 /// Factors in thousandths, as of slack_permille.
 struct Slack {

@@ -129,7 +129,7 @@ std::string chains(const Timing& timing) {
     table.row({timing.model.devices[c.from].name + " -> " + timing.model.devices[c.to].name, duration_text(c.acquire),
                duration_text(c.decide), duration_text(c.wire), duration_text(c.end_to_end), remark});
   }
-  return fmt::format("\nchains (profile {})\n", timing.target ? "target" : "tight") + table.text();
+  return fmt::format("\nchains (profile {})\n", profile_name(best_profile(timing.model))) + table.text();
 }
 
 /// Why a chain shows no bound, once for all of one reason.

@@ -11,7 +11,7 @@ namespace finemote::gen::timing {
 namespace {
 
 const BucketResult& bucket_of(const Timing& timing, Rank device) {
-  const auto& buckets = (timing.target ? *timing.target : timing.tight).buckets;
+  const auto& buckets = timing.best().buckets;
   return *std::find_if(buckets.begin(), buckets.end(), [&](const BucketResult& bucket) {
     return bucket.period == timing.model.devices[device].period;
   });

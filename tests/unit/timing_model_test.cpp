@@ -6,6 +6,7 @@
 #include "generator/timing/analyse.hpp"
 #include "generator/timing/json.hpp"
 #include "generator/timing/read_model.hpp"
+#include "generator/timing/reorder.hpp"
 #include "unit/duration_literals.hpp"
 
 using namespace finemote::gen;
