@@ -51,7 +51,7 @@ struct AnalysisRequest {
 
 /// Why chains have no bound.
 struct MissingBound {
-  std::string part;                      ///< acquire, decide, wire
+  ChainPart part = ChainPart::acquire;
   std::string why;                       ///< for people
   std::vector<std::size_t> chains;       ///< that lack it for this reason, indices into Timing::chains
   std::vector<std::string> restored_by;  ///< changes after which all of them have a bound, each verified by analysis

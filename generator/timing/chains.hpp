@@ -6,6 +6,9 @@
 
 namespace finemote::gen::timing {
 
+/// What an end-to-end bound adds up.
+enum class ChainPart { acquire, decide, wire };
+
 /// A chain `from -> to`: the sample `from` reads, up to the root of the tree of `to`, and down to the output of `to`.
 struct ChainResult {
   Rank from, to;
@@ -17,6 +20,10 @@ struct ChainResult {
   bool assumed = false;                ///< some execution time or acquisition behind it is an assumption
   bool through_reads = false;          ///< passes a `reads` edge: outside Theorem 3
   bool closed_form = false;
+
+  [[nodiscard]] std::optional<Duration> bound_of(ChainPart part) const {
+    return part == ChainPart::acquire ? acquire : part == ChainPart::decide ? decide : wire;
+  }
 };
 
 class ChainAnalysis {

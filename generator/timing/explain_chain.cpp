@@ -29,8 +29,8 @@ class ChainExplainer {
                                chain_.wire.value_or(Duration::zero())});
     };
     if (decision_only || !chain_.decide) return explain_decide();
-    if (!chain_.acquire) return explain_unbounded("acquire", sample_bus(model_, chain_.from));
-    if (!chain_.wire) return explain_unbounded("wire", command_bus(model_, chain_.to));
+    if (!chain_.acquire) return explain_unbounded(ChainPart::acquire, sample_bus(model_, chain_.from));
+    if (!chain_.wire) return explain_unbounded(ChainPart::wire, command_bus(model_, chain_.to));
     if (is_largest(chain_.decide)) return explain_decide("decide is the largest part: ");
     if (is_largest(chain_.acquire)) return explain_acquire();
     explain_wire();
@@ -39,14 +39,14 @@ class ChainExplainer {
  private:
   static std::string text(std::optional<Duration> time) { return time ? readable_duration(*time) : "without bound"; }
 
-  void explain_unbounded(const char* part, std::optional<BusPlace> bus) {
+  void explain_unbounded(ChainPart part, std::optional<BusPlace> bus) {
     if (!bus) return;
     const std::string undeclared = undeclared_text(model_, *bus);
-    if (!undeclared.empty()) return void(finding_.note(fmt::format("{}: {}", part, undeclared)));
+    if (!undeclared.empty()) return void(finding_.note(fmt::format("{}: {}", part_name(part), undeclared)));
     finding_.note(
         fmt::format("{}: on bus '{}' a message may still wait when the next one is due; the bus needs {} "
                     "of its capacity",
-                    part, model_.buses[*bus].name, whole_percent(timing_.bus_loads[*bus].utilization)));
+                    part_name(part), model_.buses[*bus].name, whole_percent(timing_.bus_loads[*bus].utilization)));
   }
   void explain_acquire() {
     const Device& device = model_.devices[chain_.from];

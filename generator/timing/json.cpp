@@ -6,6 +6,7 @@
 #include "generator/timing/cost_labels.hpp"
 #include "generator/timing/model_words.hpp"
 #include "generator/timing/words.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -209,12 +210,18 @@ Json requirement_json(const RequirementResult& r) {
   return out;
 }
 
+/// Of an interrupt, which of its bus; of a flush, the period of its bucket.
+Json source_json(const ProcessorUse& use) {
+  if (use.kind == ProcessorUse::Kind::flush) return units::format_duration(use.every);
+  return use.source.empty() ? Json(nullptr) : Json(use.source);
+}
+
 Json processor_json(const Timing& timing) {
   Json list = Json::array();
   for (const ProcessorUse& use : timing.processor) {
     list.push_back(Json{{"kind", kind_name(use.kind)},
                         {"name", use.name},
-                        {"source", use.source.empty() ? Json(nullptr) : Json(use.source)},
+                        {"source", source_json(use)},
                         {"cost_ns", use.cost.ns()},
                         {"every_ns", use.every.ns()},
                         {"utilization", use.utilization},
@@ -329,7 +336,7 @@ Json timing_json(const Timing& timing) {
   Json& chains = out["chains"] = Json::array();
   for (const ChainResult& c : timing.chains) chains.push_back(chain_json(model, c));
   for (const MissingBound& missing : timing.missing) {
-    const Json why{{"part", missing.part}, {"why", missing.why}, {"restored_by", missing.restored_by}};
+    const Json why{{"part", part_name(missing.part)}, {"why", missing.why}, {"restored_by", missing.restored_by}};
     for (const std::size_t c : missing.chains) chains[c]["unbounded"].push_back(why);
   }
   Json& requirements = out["requirements"] = Json::array();

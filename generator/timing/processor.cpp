@@ -45,8 +45,8 @@ void add_buckets(const Model& model, const TaskSet& set, std::vector<ProcessorUs
     if (bucket.after == Duration::zero()) continue;  // the profile has no flushes
     for (const Flush& flush : model.flushes) {
       if (flush.period != bucket.period) continue;
-      list.push_back({ProcessorUse::Kind::flush, flush_name(model, flush), period_text(flush.period), flush.wcet,
-                      flush.period, static_cast<double>(exact_ratio(flush.wcet, flush.period))});
+      list.push_back({ProcessorUse::Kind::flush, flush_name(model, flush), "", flush.wcet, flush.period,
+                      static_cast<double>(exact_ratio(flush.wcet, flush.period))});
     }
   }
 }
@@ -90,7 +90,7 @@ std::string user_text(const ProcessorUse& use) {
     case ProcessorUse::Kind::bucket:
       return fmt::format("devices every {}", use.name);
     case ProcessorUse::Kind::flush:
-      return fmt::format("flush of '{}' every {}", use.name, use.source);
+      return fmt::format("flush of '{}' every {}", use.name, period_text(use.every));
     case ProcessorUse::Kind::interrupt:
       return use.source.empty() ? fmt::format("interrupts of bus '{}'", use.name)
                                 : fmt::format("'{}' interrupts of bus '{}'", use.source, use.name);

@@ -14,9 +14,9 @@ struct ProcessorUse {
   enum class Kind { bucket, flush, interrupt, dma, release };
   Kind kind = Kind::bucket;
   std::string name;  ///< bucket: its period; flush: its output, bus or first device; interrupt, dma: the bus; `release`
-  std::string source;  ///< interrupt: which of the bus, empty where it has one; flush: the period of its bucket
-  Duration cost;       ///< of one, exception entry and exit included
-  Duration every = nanoseconds(1);  ///< period, or least distance of two interrupts
+  std::string source;               ///< interrupt: which of the bus; empty where it has one, and for the other kinds
+  Duration cost;                    ///< of one, exception entry and exit included
+  Duration every = nanoseconds(1);  ///< period of the bucket, or least distance of two interrupts
   double utilization = 0;  ///< long-run share of the processor, 0 and more; budgets counted where they are slower
 };
 

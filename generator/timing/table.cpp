@@ -9,6 +9,7 @@
 #include "generator/timing/cost_labels.hpp"
 #include "generator/timing/text_table.hpp"
 #include "generator/timing/words.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -51,7 +52,8 @@ std::string processor(const Timing& timing) {
   for (const ProcessorUse& use : timing.processor) {
     std::string who(kind_name(use.kind));
     if (use.kind != ProcessorUse::Kind::release) who += " " + use.name;
-    if (!use.source.empty()) who += (use.kind == ProcessorUse::Kind::flush ? " every " : ", ") + use.source;
+    if (use.kind == ProcessorUse::Kind::flush) who += " every " + units::format_duration(use.every);
+    if (!use.source.empty()) who += ", " + use.source;
     const bool is_least = use.kind == ProcessorUse::Kind::interrupt || use.kind == ProcessorUse::Kind::dma ||
                           use.kind == ProcessorUse::Kind::release;
     table.row({who, is_least ? "at least" : "", duration_text(use.every), duration_text(use.cost),
@@ -144,7 +146,7 @@ std::string missing(const Timing& timing) {
                          timing.model.devices[chain.to].name);
     }
     if (m.chains.size() > kMost) who += fmt::format(" and {} more", m.chains.size() - kMost);
-    text += fmt::format("  {} has no bound ({}): {}\n", m.part, who, m.why);
+    text += fmt::format("  {} has no bound ({}): {}\n", part_name(m.part), who, m.why);
     for (const std::string& change : m.restored_by) text += fmt::format("    restored by {}\n", change);
   }
   return text;

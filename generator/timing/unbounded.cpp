@@ -19,7 +19,7 @@ const BucketResult& bucket_of(const Timing& timing, Rank device) {
 
 /// What keeps one part of a chain from having a bound.
 struct Cause {
-  std::string part;
+  ChainPart part = ChainPart::acquire;
   std::optional<Duration> period;  ///< of a bucket that may miss its deadline
   std::optional<BusPlace> bus;     ///< else: where a message may wait without end, or longer than until the next
   Rank device;                     ///< whose bucket or message it is
@@ -28,7 +28,7 @@ struct Cause {
   }
 };
 
-std::optional<Cause> late_bucket(const Timing& timing, const std::string& part, const std::vector<Rank>& on) {
+std::optional<Cause> late_bucket(const Timing& timing, ChainPart part, const std::vector<Rank>& on) {
   for (const Rank device : on) {
     const BucketResult& bucket = bucket_of(timing, device);
     if (!bucket.ok) return Cause{part, bucket.period, std::nullopt, device};
@@ -38,13 +38,13 @@ std::optional<Cause> late_bucket(const Timing& timing, const std::string& part, 
 
 std::vector<Cause> causes(const Timing& timing, const ChainResult& chain) {
   std::vector<Cause> list;
-  const auto look = [&](const char* part, const std::vector<Rank>& on, std::optional<BusPlace> bus) {
+  const auto look = [&](ChainPart part, const std::vector<Rank>& on, std::optional<BusPlace> bus) {
     if (const auto late = late_bucket(timing, part, on)) return list.push_back(*late);
     list.push_back({part, std::nullopt, bus, on.front()});
   };
-  if (!chain.acquire) look("acquire", {chain.from}, sample_bus(timing.model, chain.from));
-  if (!chain.decide) look("decide", devices_between(timing.model, chain), std::nullopt);
-  if (!chain.wire) look("wire", {chain.to}, command_bus(timing.model, chain.to));
+  if (!chain.acquire) look(ChainPart::acquire, {chain.from}, sample_bus(timing.model, chain.from));
+  if (!chain.decide) look(ChainPart::decide, devices_between(timing.model, chain), std::nullopt);
+  if (!chain.wire) look(ChainPart::wire, {chain.to}, command_bus(timing.model, chain.to));
   return list;
 }
 
@@ -66,18 +66,14 @@ std::string why(const Timing& timing, const Cause& cause) {
       bus.name, device.name, percent(load), users);
 }
 
-bool lacks(const ChainResult& chain, const std::string& part) {
-  return !(part == "acquire" ? chain.acquire : part == "wire" ? chain.wire : chain.decide);
-}
-
 /// Chains of `after` to where `chains` of `before` lead that lack this part. Another source may be the worst one there.
-std::size_t still_missing(const Timing& after, const Timing& before, const std::string& part,
+std::size_t still_missing(const Timing& after, const Timing& before, ChainPart part,
                           const std::vector<std::size_t>& chains) {
   Table<Rank, bool> is_end(before.model.devices.size(), false);
   for (const std::size_t c : chains) is_end[before.chains[c].to] = true;
   return static_cast<std::size_t>(
       std::count_if(after.chains.begin(), after.chains.end(),
-                    [&](const ChainResult& chain) { return is_end[chain.to] && lacks(chain, part); }));
+                    [&](const ChainResult& chain) { return is_end[chain.to] && !chain.bound_of(part); }));
 }
 
 std::vector<std::string> restored_by(const Timing& timing, const Cause& cause, const std::vector<std::size_t>& chains,

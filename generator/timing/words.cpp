@@ -4,9 +4,16 @@
 
 #include <algorithm>
 
+#include "generator/timing/model_words.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen::timing {
+namespace {
+
+constexpr Word<ChainPart> kPartWords[] = {
+    {ChainPart::acquire, "acquire"}, {ChainPart::decide, "decide"}, {ChainPart::wire, "wire"}};
+
+}  // namespace
 
 std::string_view label_of(WcetSource source) {
   switch (source) {
@@ -23,6 +30,8 @@ std::string_view label_of(WcetSource source) {
   }
   return "";
 }
+
+std::string_view part_name(ChainPart part) { return word_of(part, kPartWords); }
 
 double ratio(Duration part, Duration whole) {
   return static_cast<double>(part.ns()) / static_cast<double>(std::max(whole, nanoseconds(1)).ns());

@@ -4,12 +4,16 @@
 #include <string>
 #include <string_view>
 
+#include "generator/timing/chains.hpp"
 #include "generator/timing/model.hpp"
 
 namespace finemote::gen::timing {
 
 /// `assumed`, `declared`, `measured`, `static`; `given` where the model does not say.
 std::string_view label_of(WcetSource source);
+
+/// `acquire`, `decide`, `wire`.
+std::string_view part_name(ChainPart part);
 
 /// 0 and above; a whole of 0 counts as 1 ns.
 double ratio(Duration part, Duration whole);

@@ -202,8 +202,8 @@ TEST_CASE("a message that may wait too long has a reason and a way back") {
   REQUIRE(timing);
   REQUIRE(timing->missing.size() == 2);  // what the motors send, and what is sent to them
   const MissingBound& missing = timing->missing.front();
-  CHECK(missing.part == "acquire");
-  CHECK(timing->missing.back().part == "wire");
+  CHECK(missing.part == ChainPart::acquire);
+  CHECK(timing->missing.back().part == ChainPart::wire);
   CHECK(missing.chains.size() == 8);
   for (const MissingBound& one : timing->missing)
     CHECK(one.why.rfind("bus 'can' is overloaded: it needs 137.2 % of its capacity ('m1' and 7 more: 27.0 %", 0) == 0);
