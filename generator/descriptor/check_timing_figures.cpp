@@ -167,9 +167,7 @@ class TimingCheck {
           .hint("what a device sends behind its own handle() is of stage 'handle'");
     }
     if (frame.stage != FrameStage::autonomous) return;
-    const auto use =
-        std::find_if(type_.uses.begin(), type_.uses.end(), [&](const UseSpec& each) { return each.role == frame.use; });
-    const std::vector<BusKind>& kinds = use != type_.uses.end() ? use->buses : type_.buses;
+    const std::vector<BusKind>& kinds = type_.buses_of(frame);
     const bool asks = !kinds.empty() &&
                       std::all_of(kinds.begin(), kinds.end(), [](BusKind kind) { return bus_type(kind).is_mastered; });
     if (asks) {

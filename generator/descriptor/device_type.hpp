@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "generator/bus/bus_kind.hpp"
@@ -127,6 +128,11 @@ struct DeviceType {
   [[nodiscard]] std::vector<IdentifierRange> received(std::uint32_t id) const;
   /// How far the clock of the part may be off, both ways: all intervals of what it does by itself are by that clock.
   [[nodiscard]] std::int64_t clock_ppm() const { return acquisition ? acquisition->tolerance_ppm : kUsualTolerancePpm; }
+  /// Frames over the bus of the use in that role; of no role: over the device's own. None: it declares none at all,
+  /// too.
+  [[nodiscard]] std::vector<Frame> frames_over(std::string_view role) const;
+  /// Kinds of the bus that a frame goes over.
+  [[nodiscard]] const std::vector<BusKind>& buses_of(const Frame& frame) const;
   /// Whether it is known how often the part sends such a frame by itself: as the frame says, else one for each sample.
   [[nodiscard]] bool says_interval_of(const Frame& frame) const;
   [[nodiscard]] bool has_command() const { return !provides.empty() && provides.front().has_command; }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -137,6 +139,19 @@ std::optional<SharedFrame> DeviceType::shared_frame(std::uint32_t id) const {
     }
   }
   return {};
+}
+
+std::vector<Frame> DeviceType::frames_over(std::string_view role) const {
+  std::vector<Frame> over;
+  if (!frames) return over;
+  std::copy_if(frames->begin(), frames->end(), std::back_inserter(over),
+               [&](const Frame& frame) { return frame.use == role; });
+  return over;
+}
+
+const std::vector<BusKind>& DeviceType::buses_of(const Frame& frame) const {
+  const auto use = std::find_if(uses.begin(), uses.end(), [&](const UseSpec& each) { return each.role == frame.use; });
+  return use != uses.end() ? use->buses : buses;
 }
 
 bool DeviceType::says_interval_of(const Frame& frame) const {

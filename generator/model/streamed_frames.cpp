@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/descriptor/runtime_limits.hpp"
+#include "generator/model/connection.hpp"
 #include "generator/model/part_clock.hpp"
 
 namespace finemote::gen {
@@ -30,14 +31,13 @@ template <typename Count>
 std::int64_t sum_over_answers(const Robot& robot, const Device& device, BusId line, const Count& count) {
   constexpr std::int64_t kJobs = 3;
   std::int64_t sum = 0;
-  if (device.type == nullptr || !device.type->frames) return sum;
-  for (const Frame& frame : *device.type->frames) {
-    if (frame.stage == FrameStage::autonomous || frame.read_bytes == 0) continue;
-    const auto use = std::find_if(device.uses.begin(), device.uses.end(),
-                                  [&](const Use& each) { return each.spec->role == frame.use; });
-    const auto of_use = use != device.uses.end() ? use->segment : std::nullopt;
-    const auto segment = frame.use.empty() ? device.segment : of_use;
-    if (segment && robot.segments[*segment].bus == line) sum += kJobs * count(frame);
+  if (device.type == nullptr) return sum;
+  for (const Connection& connection : connections_of(device)) {
+    if (robot.segments[connection.segment].bus != line) continue;
+    for (const Frame& frame : frames_over(device, connection)) {
+      const bool is_answered = frame.stage != FrameStage::autonomous && frame.read_bytes > 0;
+      if (is_answered) sum += kJobs * count(frame);
+    }
   }
   return sum;
 }
@@ -50,14 +50,11 @@ Duration longest_look(const Device& device) {
 /// Of the devices on a line: `usual` for one whose count is 0, and 0 without any.
 template <typename Count>
 std::int64_t most_on_line(const Robot& robot, BusId line, std::int64_t usual, const Count& count) {
-  const auto is_there = [&](std::optional<SegmentId> segment) {
-    return segment && robot.segments[*segment].bus == line;
-  };
+  const auto is_there = [&](const Connection& connection) { return robot.segments[connection.segment].bus == line; };
   std::int64_t most = 0;
   for (const Device& device : robot.devices) {
-    const bool uses =
-        std::any_of(device.uses.begin(), device.uses.end(), [&](const Use& use) { return is_there(use.segment); });
-    if (!uses && !is_there(device.segment)) continue;
+    const std::vector<Connection> connections = connections_of(device);
+    if (std::none_of(connections.begin(), connections.end(), is_there)) continue;
     const std::int64_t counted = count(device);
     most = std::max(most, counted > 0 ? counted : usual);
   }

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "generator/model/connection.hpp"
 #include "generator/model/robot.hpp"
-#include "generator/tasks/connection.hpp"
 
 namespace finemote::gen::timing {
 

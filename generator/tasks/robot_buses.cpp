@@ -5,10 +5,10 @@
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/rate_form.hpp"
+#include "generator/model/connection.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/model/part_clock.hpp"
 #include "generator/model/port_rates.hpp"
-#include "generator/tasks/connection.hpp"
 #include "generator/units/clock_tolerance.hpp"
 
 namespace finemote::gen::timing {

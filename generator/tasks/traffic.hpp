@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "generator/model/connection.hpp"
 #include "generator/tasks/bus_use.hpp"
-#include "generator/tasks/connection.hpp"
 #include "generator/tasks/robot_buses.hpp"
 #include "generator/tasks/wire_use.hpp"
 

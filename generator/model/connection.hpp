@@ -5,7 +5,7 @@
 
 #include "generator/model/robot.hpp"
 
-namespace finemote::gen::timing {
+namespace finemote::gen {
 
 /// A device on a segment: on its own bus, or by a `<use>`.
 struct Connection {
@@ -14,12 +14,12 @@ struct Connection {
 };
 
 /// The own one first, then those of uses in their order.
-std::vector<Connection> connections_of(const gen::Device& device);
+std::vector<Connection> connections_of(const Device& device);
 
-/// The frames its descriptor declares for that connection. The device has a type.
-std::vector<Frame> frames_over(const gen::Device& device, const Connection& connection);
+/// The frames its descriptor declares for that connection; none where it declares none. The device has a type.
+std::vector<Frame> frames_over(const Device& device, const Connection& connection);
 
 /// The format of a serial line, as the descriptor states it for that connection: `8N1`.
-const std::string& format_over(const gen::Device& device, const Connection& connection);
+const std::string& format_over(const Device& device, const Connection& connection);
 
-}  // namespace finemote::gen::timing
+}  // namespace finemote::gen
