@@ -1,4 +1,4 @@
-// How much more urgent work can arrive in a window that opens at a given instant.
+// Higher-priority demand: the execution time that can be requested in a window of length x.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,9 @@ inline constexpr Duration kNever = Duration::max();
 /// The longest search for what ends at some time.
 inline constexpr Duration kLongest = kNever - nanoseconds(1);
 
-/// Work of all streams and of some more urgent buckets in a window [0, x), as a staircase walked from left to right:
-/// between two steps a query costs one comparison, at a step a division for every stream or term that steps there.
+/// Execution time that all streams and some higher-priority buckets request in [0, x). A step function: queries should
+/// have rising x. Between two steps a query costs one comparison, at a step a division for every stream or term that
+/// steps there.
 class Demand {
  public:
   /// One term: `cost` for each of the arrivals at first, first + period, ... below x.
@@ -62,7 +63,7 @@ class Demand {
   /// No steps are left: whoever searches gives up.
   [[nodiscard]] bool is_spent() const { return effort_->is_spent(); }
 
-  /// Work in [0, x) for x >= 1 ns. Throws Overflow.
+  /// Execution time that is requested in [0, x), x >= 1 ns. Throws Overflow.
   Duration at(Duration x) {
     if (x > end_ || x < begin_) evaluate(x);
     return value_;

@@ -7,7 +7,8 @@ namespace finemote::gen::timing {
 
 /// Up to where the analysis of one profile is exact.
 struct Limits {
-  /// Releases that are examined one by one: those of every bucket until it and all more urgent ones repeat, together.
+  /// Releases that are examined one by one: those of every bucket until it and all higher-priority ones repeat,
+  /// together.
   std::int64_t releases = 1'000'000;
   /// Of a model that has more: of one bucket, and of the root of one path, that are examined all the same.
   std::int64_t releases_alone = 1'000;

@@ -45,7 +45,7 @@ enum class Window {
 class JobWindows {
  public:
   /// Everything must outlive this.
-  /// @param early  how long before a release more urgent work can begin that lasts until then
+  /// @param early  how long before a release higher-priority jobs can begin that last until then
   JobWindows(const TaskSet& set, std::size_t bucket, std::optional<Duration> early)
       : set_(set), bucket_(bucket), early_(early) {}
 
@@ -86,15 +86,15 @@ class JobWindows {
       case InterruptCause::look:
         budget.carry_in = 1;
         if (is_own(budget)) budget.most = multiply(window == Window::rest ? 1 : 2, budget.count);
-        if (is_less_urgent(budget)) budget.most = budget.count;
+        if (is_lower_priority(budget)) budget.most = budget.count;
         return;
     }
   }
 
   /// @param ended  all of them, so long after the release of the job that asked
   void narrow_transfer(Duration ended, Window window, Budget& budget) const {
-    if (is_less_urgent(budget)) {
-      budget.most = budget.count;  // of the job before the window: it asks for no more while more urgent work waits
+    if (is_lower_priority(budget)) {
+      budget.most = budget.count;  // of the job before the window: it asks for no more while higher-priority jobs wait
     } else if (!is_own(budget)) {
       budget.carry_in = 0;
       budget.jitter = ended;
@@ -105,11 +105,11 @@ class JobWindows {
     }
   }
 
-  /// At the begin of a window at most one less urgent stage is in a masked section, and has asked for one transfer:
-  /// none where the job runs already. Or a less urgent job has put frames into their slots and not asked yet: the next
-  /// request takes them along, for which this one stands.
+  /// At the begin of a window at most one lower-priority stage is in a masked section, and has asked for one transfer:
+  /// none where the job runs already. Or a lower-priority job has put frames into their slots and not asked yet: the
+  /// next request takes them along, for which this one stands.
   void keep_one_masked_request(Window window, std::vector<Budget>& budgets) const {
-    const auto is_masked = [&](const Budget& b) { return b.cause == InterruptCause::request && is_less_urgent(b); };
+    const auto is_masked = [&](const Budget& b) { return b.cause == InterruptCause::request && is_lower_priority(b); };
     const auto first = std::find_if(budgets.begin(), budgets.end(), is_masked);
     if (first == budgets.end()) return;
     const bool is_taken_along =
@@ -119,15 +119,16 @@ class JobWindows {
   }
 
   [[nodiscard]] bool is_own(const Budget& budget) const { return set_.bucket_of[budget.device] == bucket_; }
-  [[nodiscard]] bool is_less_urgent(const Budget& budget) const { return set_.bucket_of[budget.device] > bucket_; }
+  [[nodiscard]] bool is_lower_priority(const Budget& budget) const { return set_.bucket_of[budget.device] > bucket_; }
 
   const TaskSet& set_;
   std::size_t bucket_;
   std::optional<Duration> early_;
 };
 
-/// The longest time that interrupts and buckets more urgent than one can keep the processor busy; none: not known.
-std::optional<Duration> urgent_work(const TaskSet& set, std::size_t bucket, Effort& effort) {
+/// The longest time that interrupts and buckets of higher priority than one can keep the processor busy; none: not
+/// known.
+std::optional<Duration> busy_above(const TaskSet& set, std::size_t bucket, Effort& effort) {
   Demand demand(effort);
   demand.add_streams(set.streams);
   for (std::size_t v = 0; v < bucket; ++v) demand.add({{}, set.buckets[v].period, set.buckets[v].cost});
@@ -154,7 +155,7 @@ void separate_jobs(const Model& model, const Responses& responses, TaskSet& set,
   note_ended(set);
   std::vector<JobStreams> of_jobs;
   for (std::size_t w = 0; w < set.buckets.size(); ++w)
-    of_jobs.push_back(JobWindows(set, w, urgent_work(set, w, effort)).all());
+    of_jobs.push_back(JobWindows(set, w, busy_above(set, w, effort)).all());
   set.of_jobs = std::move(of_jobs);
 }
 

@@ -20,15 +20,15 @@ PairWindow::PairWindow(const ProfileAnalysis& profile, Effort& effort)
   }
 }
 
-/// Of a more urgent bucket, behind the release of `of` and before that release is `length` old. Where the release may
-/// be any, as many as fit, wherever it is.
+/// Of a higher-priority bucket, behind the release of `of` and before that release is `length` old. Where the release
+/// may be any, as many as fit, wherever it is.
 std::int64_t PairWindow::releases_inside(std::size_t bucket, std::size_t of, Duration release, Duration length) const {
   const Duration period = profile_.set.buckets[bucket].period;
   if (profile_.table.is_general(of)) return ceil_div(length, period);
   return floor_div(release + length, period) - floor_div(release, period);
 }
 
-/// From an instant at which nothing is pending that is more urgent than what begins there until handle(to) has ended.
+/// From an instant at which nothing is pending of higher priority than what begins there until handle(to) has ended.
 /// @param work     of the jobs that are there, as far as it is done until then
 /// @param streams  interrupts of such a window
 Duration PairWindow::until(Rank to, Duration release, Duration work, const std::vector<Stream>& streams) const {
@@ -66,10 +66,10 @@ Duration PairWindow::pending_at(std::size_t bucket, std::size_t of, Duration rel
   return ((age == Duration::zero() ? 1 : 0) + (is_left ? 1 : 0)) * task.cost;
 }
 
-/// When update(from) begins nothing is pending that is more urgent than its job, and no masked section of others goes
+/// When update(from) begins nothing is pending of higher priority than its job, and no masked section of others goes
 /// on. Until handle(to) has ended there run: the rest of that job; what is pending of buckets between the two; the job
-/// of `to`; more urgent jobs that are released meanwhile, behind the common release; and interrupts, as in any window,
-/// because what is left of other jobs may have caused some.
+/// of `to`; higher-priority jobs that are released meanwhile, behind the common release; and interrupts, as in any
+/// window, because what is left of other jobs may have caused some.
 Duration PairWindow::in_two_jobs(Rank from, Rank to, Duration release) const {
   const TaskSet& set = profile_.set;
   const std::size_t f = set.bucket_of[from], w = set.bucket_of[to];

@@ -13,7 +13,7 @@ class PairWindow {
   /// Both in one job: W of analysis-cases/README.md for two devices of a bucket.
   [[nodiscard]] Duration in_one_job(Rank from, Rank to, Duration release) const;
 
-  /// In the job of a more urgent bucket, and in the one of `to` that is released with it. Profile target.
+  /// In the job of a higher-priority bucket, and in the one of `to` that is released with it. Profile target.
   [[nodiscard]] Duration in_two_jobs(Rank from, Rank to, Duration release) const;
 
   /// Whether the second one is known of these buckets.

@@ -52,7 +52,7 @@ class ReleaseTable::Builder {
         responses_(responses),
         bucket_(set.buckets[w]),
         w_(w),
-        urgent_(urgent_buckets(set, w)),
+        higher_(higher_priority_buckets(set, w)),
         effort_(effort),
         updates_(effort),
         whole_(effort),
@@ -60,7 +60,7 @@ class ReleaseTable::Builder {
     updates_.add_streams(set.in_updates(w));
     whole_.add_streams(set.in_job(w));
     inside_.add_streams(set.inside_job(w));
-    for (const Urgent& u : urgent_) {
+    for (const HigherBucket& u : higher_) {
       updates_.add({{}, u.period, u.cost});
       whole_.add({{}, u.period, u.cost});
       inside_.add({{}, u.period, u.cost, 0});
@@ -74,9 +74,9 @@ class ReleaseTable::Builder {
  private:
   /// Whether that is within the limits.
   bool fill_exactly(Bucket& table) {
-    const std::optional<std::int64_t> count = urgent_.empty() ? 1 : releases_until_repeat(set_, w_);
+    const std::optional<std::int64_t> count = higher_.empty() ? 1 : releases_until_repeat(set_, w_);
     if (!count || *count > effort_.most_releases() || responses_.closed_form[w_]) return false;
-    SurroundingsFinder finder(set_, responses_, w_, urgent_, effort_);
+    SurroundingsFinder finder(set_, responses_, w_, higher_, effort_);
     table.rows.clear();
     table.first_turn.clear();
     std::unordered_map<Surroundings, std::uint32_t, SurroundingsHash> known;
@@ -94,21 +94,21 @@ class ReleaseTable::Builder {
     return !effort_.is_spent();
   }
 
-  /// R of all releases, and windows with as many more urgent activations as any release can see.
+  /// R of all releases, and windows with as many higher-priority activations as any release can see.
   void fill_general(Bucket& table) {
     table.general = true;
     table.row_of.clear();
     std::vector<Cell> row;
     for (const Rank d : bucket_.devices)
       row.push_back({responses_.r_plus[d], responses_.r_minus[d], responses_.r_minus[d]});
-    const std::vector<Duration> firsts(urgent_.size(), nanoseconds(1));
+    const std::vector<Duration> firsts(higher_.size(), nanoseconds(1));
     if (!responses_.closed_form[w_]) set_windows(firsts.data(), row);  // else the search would be as long
     table.rows.assign(1, std::move(row));
   }
 
   std::vector<Cell> row(const Surroundings& around) {
     std::vector<Cell> cells(bucket_.devices.size());
-    const std::size_t width = urgent_.size() + 1;
+    const std::size_t width = higher_.size() + 1;
     for (std::size_t start = 0; start < around.size(); start += width) sweep(&around[start], cells);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const Rank d = bucket_.devices[i];
@@ -145,12 +145,12 @@ class ReleaseTable::Builder {
     }
   }
 
-  /// Releases of a more urgent bucket strictly inside (t, t + length], for lengths that mostly grow.
+  /// Releases of a higher-priority bucket strictly inside (t, t + length], for lengths that mostly grow.
   class Inside {
    public:
     /// @param first  how much later than t the first release at or after t is
-    Inside(const Urgent& urgent, Duration first)
-        : period_(urgent.period), first_(first == Duration::zero() ? period_ : first) {}
+    Inside(const HigherBucket& bucket, Duration first)
+        : period_(bucket.period), first_(first == Duration::zero() ? period_ : first) {}
     /// Up to which length there are no more of them.
     [[nodiscard]] Duration end() const { return end_; }
     std::int64_t count(Duration length) {
@@ -176,7 +176,7 @@ class ReleaseTable::Builder {
   void set_windows(const Duration* firsts, std::vector<Cell>& cells) {
     inside_.rewind();
     std::vector<Inside> inside;
-    for (std::size_t u = 0; u < urgent_.size(); ++u) inside.emplace_back(urgent_[u], firsts[u]);
+    for (std::size_t u = 0; u < higher_.size(); ++u) inside.emplace_back(higher_[u], firsts[u]);
     Duration work, x = nanoseconds(1), begin = kNever, end;
     for (std::size_t i = cells.size(); i-- > 0;) {
       const Rank d = bucket_.devices[i];
@@ -186,7 +186,7 @@ class ReleaseTable::Builder {
       if (length < begin || length > end) {
         begin = length;
         end = kNever;
-        for (std::size_t u = 0; u < urgent_.size(); ++u) {
+        for (std::size_t u = 0; u < higher_.size(); ++u) {
           inside_.allow(u, inside[u].count(length));
           end = std::min(end, inside[u].end());
         }
@@ -203,10 +203,10 @@ class ReleaseTable::Builder {
   std::size_t w_;
   static constexpr std::int64_t kStepsPerCell = 16;
 
-  std::vector<Urgent> urgent_;
+  std::vector<HigherBucket> higher_;
   Effort& effort_;
-  Demand updates_, whole_;  ///< everything more urgent, up to the last update and further
-  Demand inside_;           ///< everything more urgent that is released inside a window
+  Demand updates_, whole_;  ///< all higher-priority demand, up to the last update and further
+  Demand inside_;           ///< all higher-priority demand that is released inside a window
 };
 
 ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& responses, Effort& effort) {

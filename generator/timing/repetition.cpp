@@ -17,7 +17,7 @@ std::optional<std::int64_t> releases_until_repeat(const TaskSet& set, std::size_
 
 std::int64_t most_releases(const TaskSet& set, const Limits& limits) {
   std::int64_t left = limits.releases;
-  std::optional<Duration> common = set.buckets.front().period;  // the releases of the most urgent bucket are all alike
+  std::optional<Duration> common = set.buckets.front().period;  // of the highest priority: its releases are all alike
   for (std::size_t w = 1; w < set.buckets.size(); ++w) {
     const Duration period = set.buckets[w].period;
     common = common_multiple(common, period);

@@ -60,7 +60,7 @@ class BucketSweep {
   const TaskSet& set_;
   std::size_t w_;
   const TaskBucket& bucket_;
-  Demand updates_, whole_;  ///< everything more urgent, up to the last update and further
+  Demand updates_, whole_;  ///< all higher-priority demand, up to the last update and further
   Duration x_ = nanoseconds(1);
   bool good_ = true;
   bool is_closed_form_ = false;

@@ -10,7 +10,7 @@ namespace {
 /// Beyond so many instants a bound for any instant has to do.
 constexpr std::int64_t kMostInstants = 2048;
 
-/// How long it takes until a bucket and all more urgent ones repeat; kNever: longer than anybody looks.
+/// How long it takes until a bucket and all higher-priority ones repeat; kNever: longer than anybody looks.
 Duration repetition(const TaskSet& set, std::size_t bucket) {
   Duration repeat = set.buckets[bucket].period;
   for (std::size_t v = 0; v < bucket; ++v) {
@@ -24,9 +24,9 @@ Duration repetition(const TaskSet& set, std::size_t bucket) {
 }  // namespace
 
 /// All buckets are released at multiples of their periods. Of all instants at which the place can be passed, those
-/// count at which a more urgent bucket is released, and the last one: from an instant between two of them the same work
-/// arrives, but later. The whole job has ended by its response time, which is the longer after the instant the sooner
-/// that is.
+/// count at which a higher-priority bucket is released, and the last one: from an instant between two of them the same
+/// work arrives, but later. The whole job has ended by its response time, which is the longer after the instant the
+/// sooner that is.
 Duration RestOfJob::from(std::size_t bucket, Duration work, Duration latest,
                          const std::function<Duration(Duration release)>& of) const {
   if (work == Duration::zero()) return {};

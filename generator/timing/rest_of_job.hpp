@@ -17,7 +17,8 @@ class RestOfJob {
   RestOfJob(const TaskSet& set, const Responses& responses, Effort& effort)
       : set_(set), responses_(responses), effort_(effort) {}
 
-  /// Nothing more urgent is pending where the place is passed: only what arrives later counts, and the job's own work.
+  /// Nothing of higher priority is pending where the place is passed: only what arrives later counts, and the job's own
+  /// work.
   /// @param bucket  whose jobs meet their deadlines
   /// @param work    of the job behind the place, masked sections included
   /// @param latest  when the place is passed at the latest, after the release

@@ -13,28 +13,28 @@ std::size_t SurroundingsHash::operator()(const Surroundings& around) const {
   return hash;
 }
 
-std::vector<Urgent> urgent_buckets(const TaskSet& set, std::size_t bucket) {
-  std::vector<Urgent> urgent;
+std::vector<HigherBucket> higher_priority_buckets(const TaskSet& set, std::size_t bucket) {
+  std::vector<HigherBucket> higher;
   for (std::size_t v = 0; v < bucket; ++v) {
     const TaskBucket& other = set.buckets[v];
-    if (other.cost > Duration::zero()) urgent.push_back({other.period, other.cost, Divider(other.period.ns())});
+    if (other.cost > Duration::zero()) higher.push_back({other.period, other.cost, Divider(other.period.ns())});
   }
-  return urgent;
+  return higher;
 }
 
 SurroundingsFinder::SurroundingsFinder(const TaskSet& set, const Responses& responses, std::size_t bucket,
-                                       const std::vector<Urgent>& urgent, Effort& effort)
+                                       const std::vector<HigherBucket>& higher, Effort& effort)
     : set_(set),
       period_(set.buckets[bucket].period),
       response_(responses.bucket[bucket]),
-      urgent_(urgent),
+      higher_(higher),
       effort_(effort),
       demand_(effort),
       interrupts_(effort) {
   demand_.add_streams(set.streams);
   interrupts_.add_streams(set.streams);
-  for (const Urgent& u : urgent) demand_.add({{}, u.period, u.cost});
-  if (!urgent.empty()) longest_busy_ = least_fit(demand_, set.blocking, nanoseconds(1), kLongest);
+  for (const HigherBucket& u : higher) demand_.add({{}, u.period, u.cost});
+  if (!higher.empty()) longest_busy_ = least_fit(demand_, set.blocking, nanoseconds(1), kLongest);
 }
 
 const Surroundings& SurroundingsFinder::of(Duration release) {
@@ -61,7 +61,7 @@ const Surroundings& SurroundingsFinder::of(Duration release) {
 /// What is released before t and may be pending at t, latest first.
 void SurroundingsFinder::find_pending(Duration t) {
   pending_.clear();
-  for (const Urgent& u : urgent_) {
+  for (const HigherBucket& u : higher_) {
     if (gcd(u.period, period_) >= longest_busy_) continue;  // none is that near
     const Duration last = u.by_period.floor((t - nanoseconds(1)).ns()) * u.period;
     for (Duration distance = t - last; distance < longest_busy_ && effort_.spend(kSteps); distance += u.period)
@@ -72,16 +72,16 @@ void SurroundingsFinder::find_pending(Duration t) {
 }
 
 void SurroundingsFinder::add_start(Duration t0, Duration t) {
-  effort_.spend(kSteps * static_cast<std::int64_t>(urgent_.size() + 1));
+  effort_.spend(kSteps * static_cast<std::int64_t>(higher_.size() + 1));
   const Duration horizon = t - t0 + response_ + nanoseconds(2);  // later releases cannot matter
   around_.push_back(t - t0);
-  for (const Urgent& u : urgent_) {
+  for (const HigherBucket& u : higher_) {
     const Duration first = -u.by_period.floor(-t0.ns()) * u.period;
     around_.push_back(std::min(first - t0, horizon));
   }
 }
 
-/// Whether more urgent work released from a start on keeps the processor busy beyond the release.
+/// Whether higher-priority jobs released from a start on keep the processor busy beyond the release.
 bool SurroundingsFinder::stays_busy(const Duration* start) {
   demand_.begin_at(start + 1);
   return least_fit(demand_, set_.blocking, nanoseconds(1), *start) == kNever;

@@ -6,31 +6,31 @@
 
 namespace finemote::gen::timing {
 
-/// The instants t0 from which more urgent work may be pending at a release t, earliest first and the release itself
-/// last. Each is a row of numbers: its distance t - t0, then per more urgent bucket its first release at or after t0,
-/// less t0. Releases with the same surroundings have the same bounds.
+/// The instants t0 from which higher-priority jobs may be pending at a release t, earliest first and the release itself
+/// last. Each is a row of numbers: its distance t - t0, then per higher-priority bucket its first release at or after
+/// t0, less t0. Releases with the same surroundings have the same bounds.
 using Surroundings = std::vector<Duration>;
 
 struct SurroundingsHash {
   std::size_t operator()(const Surroundings& around) const;
 };
 
-/// A more urgent bucket: of a shorter period and nonzero cost.
-struct Urgent {
+/// A higher-priority bucket: of a shorter period and nonzero cost.
+struct HigherBucket {
   Duration period = nanoseconds(1);
   Duration cost;
   Divider by_period;
 };
 
-/// The more urgent buckets of a bucket, the most urgent one first.
-std::vector<Urgent> urgent_buckets(const TaskSet& set, std::size_t bucket);
+/// The higher-priority buckets of a bucket, the highest priority first.
+std::vector<HigherBucket> higher_priority_buckets(const TaskSet& set, std::size_t bucket);
 
 /// Finds the surroundings of one release after the other. When the steps are spent, they are incomplete.
 class SurroundingsFinder {
  public:
   /// Everything must outlive this; the bucket is ok.
   SurroundingsFinder(const TaskSet& set, const Responses& responses, std::size_t bucket,
-                     const std::vector<Urgent>& urgent, Effort& effort);
+                     const std::vector<HigherBucket>& higher, Effort& effort);
 
   /// Of the bucket's release at `release`; valid until the next call.
   const Surroundings& of(Duration release);
@@ -50,11 +50,11 @@ class SurroundingsFinder {
 
   const TaskSet& set_;
   Duration period_, response_;
-  const std::vector<Urgent>& urgent_;
+  const std::vector<HigherBucket>& higher_;
   Effort& effort_;
-  Demand demand_;          ///< everything more urgent
+  Demand demand_;          ///< all higher-priority demand
   Demand interrupts_;      ///< the streams alone
-  Duration longest_busy_;  ///< no more urgent work of buckets and streams stays pending for longer
+  Duration longest_busy_;  ///< no higher-priority demand of buckets and streams stays pending for longer
   Surroundings around_;
   std::vector<Pending> pending_;
   std::vector<Duration> starts_;

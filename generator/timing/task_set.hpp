@@ -41,8 +41,8 @@ struct Stream {
   bool ends_frame = false;             ///< the end of a frame on the wire of its bus causes them
 };
 
-/// The streams in windows in which one job of a bucket runs, from an instant on at which nothing more urgent waits:
-/// beside it only more urgent jobs run there, those that are released in the window (job_streams.hpp).
+/// The streams in windows in which one job of a bucket runs, from an instant on at which nothing of higher priority
+/// waits: beside it only higher-priority jobs run there, those that are released in the window (job_streams.hpp).
 struct JobStreams {
   std::vector<Stream> updates;  ///< from before the release to an update() of the job
   std::vector<Stream> whole;    ///< from before the release to anywhere in it
@@ -73,7 +73,7 @@ struct TaskSet {
   Table<Rank, Duration> update, handle;  ///< one run of the stage with everything around it
   /// How much later than its end an empty stage's data counts as there for a faster consumer in an empty bucket. Under
   /// the rule of the cases not at all: what takes no time at one instant is done in the order of the data. Else one
-  /// nanosecond, as the more urgent bucket may run first (docs/timing.md, "Empty buckets").
+  /// nanosecond, as the higher-priority bucket may run first (docs/timing.md, "Empty buckets").
   Duration least_lag;
   [[nodiscard]] Duration lag_of_update(Rank producer, Duration consumer_period) const {
     return lag(update[producer], consumer_period);
