@@ -1,8 +1,8 @@
 #include "generator/document/markdown.hpp"
 
-#include <fmt/format.h>
-
 #include <cctype>
+
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -30,13 +30,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   return text.empty() ? none : text;
 }
 
-std::string time_text(Duration time) {
-  const std::int64_t ns = time.ns();
-  if (ns != 0 && ns % 1'000'000'000 == 0) return fmt::format("{} s", ns / 1'000'000'000);
-  if (ns != 0 && ns % 1'000'000 == 0) return fmt::format("{} ms", ns / 1'000'000);
-  if (ns != 0 && ns % 1'000 == 0) return fmt::format("{} us", ns / 1'000);
-  return fmt::format("{} ns", ns);
-}
+std::string time_text(Duration time) { return time == Duration::zero() ? "0 ns" : units::format_duration(time, " "); }
 
 std::string sentence(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));

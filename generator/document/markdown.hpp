@@ -20,7 +20,7 @@ std::string table(const std::vector<std::string>& titles);
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ",
                    const std::string& none = "none");
 
-/// `950us`, `1s`: in the largest unit that divides it.
+/// `950 us`, `1 s`: in the largest unit that divides it; `0 ns`.
 std::string time_text(Duration time);
 
 /// The first letter large, a full stop at the end.

@@ -1,16 +1,13 @@
-// Writes periods the way generated names and comments spell them.
+// Writes periods the way generated comments and tables spell them.
 #pragma once
 
 #include <string>
 
-#include "generator/units/duration.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 
-/// The largest of s, ms, us, ns that divides it: `10ms`, `2500us`. Requires period > 0.
-std::string period_label(Duration period);
-
-/// The same with a blank, for comments: `10 ms`.
-std::string period_text(Duration period);
+/// With a blank: `10 ms`.
+inline std::string period_text(Duration period) { return units::format_duration(period, " "); }
 
 }  // namespace finemote::gen

@@ -8,8 +8,8 @@
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/schedule/bindings.hpp"
-#include "generator/schedule/period.hpp"
 #include "generator/schedule/slots.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -25,7 +25,7 @@ std::vector<Bucket> group_by_period(const Robot& robot, const Forest& forest) {
   }
   std::vector<Bucket> buckets;
   for (auto& [period, bucket] : by_period) {
-    bucket.label = period_label(period);
+    bucket.label = units::format_duration(period);
     buckets.push_back(std::move(bucket));
   }
   return buckets;

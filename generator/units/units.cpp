@@ -303,12 +303,12 @@ template Fault with_meant_unit(Fault, std::string_view, std::initializer_list<st
 template Fault with_meant_unit(Fault, std::string_view, std::initializer_list<std::string_view>,
                                Result<Duration> (*)(std::string_view), double, double);
 
-std::string format_duration(Duration time) {
+std::string format_duration(Duration time, std::string_view blank) {
   const std::int64_t ns = time.ns();
-  if (ns % 1'000'000'000 == 0) return fmt::format("{}s", ns / 1'000'000'000);
-  if (ns % 1'000'000 == 0) return fmt::format("{}ms", ns / 1'000'000);
-  if (ns % 1'000 == 0) return fmt::format("{}us", ns / 1'000);
-  return fmt::format("{}ns", ns);
+  if (ns % 1'000'000'000 == 0) return fmt::format("{}{}s", ns / 1'000'000'000, blank);
+  if (ns % 1'000'000 == 0) return fmt::format("{}{}ms", ns / 1'000'000, blank);
+  if (ns % 1'000 == 0) return fmt::format("{}{}us", ns / 1'000, blank);
+  return fmt::format("{}{}ns", ns, blank);
 }
 
 std::string readable_duration(Duration time) {
