@@ -67,7 +67,8 @@ class Bmi088Element : public SeatedElement {
 
  private:
   void connect_output(Bmi088::Output output, const std::string& pin) {
-    wires_[output] = {&outfit().board().chip().gpio(pin[1]), static_cast<unsigned>(std::stoul(pin.substr(2)))};
+    const auto [port, number] = pin_place(pin);
+    wires_[output] = {&outfit().board().chip().gpio(port), number};
   }
   void drive(Bmi088::Output output, int level) {
     levels_[output] = level;

@@ -11,8 +11,8 @@ class ButtonElement : public Element {
  public:
   ButtonElement(Outfit& outfit, const Json& part, const std::string& name)
       : Element(outfit, name),
-        gpio_(outfit.board().chip().gpio(need<std::string>(part, "pin")[1])),
-        pin_(static_cast<unsigned>(std::stoul(need<std::string>(part, "pin").substr(2)))),
+        pin_(pin_place(need<std::string>(part, "pin"))),
+        gpio_(outfit.board().chip().gpio(pin_.port)),
         pressed_level_(need<std::string>(part, "active") == "high" ? 1 : 0) {}
 
   /// Released it leaves the pin to the chip's own resistors.
@@ -20,15 +20,15 @@ class ButtonElement : public Element {
     constexpr int kNothing = -1;
     if (down && !is_down_) ++presses_;
     is_down_ = down;
-    gpio_.drive(pin_, down ? pressed_level_ : kNothing);
+    gpio_.drive(pin_.number, down ? pressed_level_ : kNothing);
   }
   [[nodiscard]] bool is_down() const { return is_down_; }
   [[nodiscard]] unsigned presses() const { return presses_; }
-  [[nodiscard]] bool level() const { return gpio_.level(pin_); }
+  [[nodiscard]] bool level() const { return gpio_.level(pin_.number); }
 
  private:
+  PinPlace pin_;
   Gpio& gpio_;
-  unsigned pin_;
   int pressed_level_;
   bool is_down_ = false;
   unsigned presses_ = 0;

@@ -119,8 +119,8 @@ PortKind converters() {
 
 /// 1, 0, or -1: nothing drives it.
 void drive(Outfit& outfit, const Json& event, int level) {
-  const auto pin = need<std::string>(event, "pin");
-  outfit.board().chip().gpio(pin[1]).drive(static_cast<unsigned>(std::stoul(pin.substr(2))), level);
+  const auto [port, number] = pin_place(need<std::string>(event, "pin"));
+  outfit.board().chip().gpio(port).drive(number, level);
 }
 
 }  // namespace

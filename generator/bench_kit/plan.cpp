@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "generator/bench_kit/bench_ports.hpp"
+#include "generator/descriptor/pin_name.hpp"
 #include "generator/descriptor/port_signals.hpp"
 #include "generator/emit/render.hpp"
 #include "generator/output/sha256.hpp"
@@ -44,7 +45,7 @@ std::vector<std::string> names_of(const std::vector<BenchTest>& tests) {
 }
 
 /// `PA9` to `{'A', 9}`.
-std::string pin_text(const std::string& pin) { return fmt::format("{{'{}', {}}}", pin[1], pin.substr(2)); }
+std::string pin_text(const std::string& pin) { return pin_name(pin).initializer(); }
 
 /// The members of a UartPins.
 std::string uart_pins(const Port& port) {

@@ -138,8 +138,9 @@ Data resting_pins(const Board& board) {
   for (const NamedPin& pin : board.pins) {
     if (!pin.rests_high) continue;
     Data entry;
-    entry.set("letter", std::string(1, pin.pin.at(1)));
-    entry.set("number", pin.pin.substr(2));
+    const auto [port, number] = pin_name(pin.pin);
+    entry.set("letter", std::string(1, port));
+    entry.set("number", std::to_string(number));
     entry.set("high", *pin.rests_high ? "true" : "false");
     entry.set("what", pin.summary);
     resting.push_back(entry);
@@ -150,7 +151,7 @@ Data resting_pins(const Board& board) {
   return data;
 }
 
-/// The header below runtime/boards/<board>/ports that has a kind's stand-in, and on the host its recorder.
+/// The header below runtime/boards/host/ports that has a class's recorder.
 const char* host_header(PortClass kind) {
   switch (kind) {
     case PortClass::uart:
@@ -161,14 +162,31 @@ const char* host_header(PortClass kind) {
       return "i2c_wire.hpp";
     case PortClass::spi:
       return "spi_wire.hpp";
-    default:
+    case PortClass::pwm:
+    case PortClass::edge:
+    case PortClass::adc:
       return "pins.hpp";
   }
+  throw std::logic_error("no class of ports");
 }
 
+/// The header below runtime/boards/<board>/ports that has a class's stand-in, without its ending.
 const char* stand_in_header(PortClass kind) {
-  constexpr const char* kNames[] = {"uart", "can", "i2c", "spi", "outputs", "outputs", "outputs"};
-  return kNames[static_cast<std::size_t>(kind)];
+  switch (kind) {
+    case PortClass::uart:
+      return "uart";
+    case PortClass::can:
+      return "can";
+    case PortClass::i2c:
+      return "i2c";
+    case PortClass::spi:
+      return "spi";
+    case PortClass::pwm:
+    case PortClass::edge:
+    case PortClass::adc:
+      return "outputs";
+  }
+  throw std::logic_error("no class of ports");
 }
 
 class SourceFiles {

@@ -6,8 +6,10 @@
 #include <cctype>
 #include <map>
 #include <optional>
+#include <stdexcept>
 
 #include "generator/board_sources/port_objects.hpp"
+#include "generator/descriptor/pin_name.hpp"
 #include "generator/descriptor/port_signals.hpp"
 
 namespace finemote::gen {
@@ -87,9 +89,13 @@ std::optional<std::string> missing_for_driver(const Port& port) {
     case PortClass::pwm:
       if (!port.timer) return "a timer channel";
       return port.pins.size() == 1 ? std::nullopt : std::optional<std::string>("one pin");
-    default:
+    case PortClass::uart:
       return first_of(missing_own_interrupt(port), first_of(missing_pin(port, {"tx", "rx"}), missing_dma(port)));
+    case PortClass::edge:
+    case PortClass::adc:
+      break;
   }
+  throw std::logic_error("no bus sits on a port of this class");
 }
 
 }  // namespace
@@ -100,10 +106,10 @@ std::vector<std::string> mistakes_for_chip(const Board& board) {
     if (const auto missing = missing_for_driver(port))
       mistakes.push_back(fmt::format("port '{}' needs {}", port.name, *missing));
   }
-  std::map<std::string, std::string> pins;  // that interrupt, by number
+  std::map<std::uint32_t, std::string> pins;  // that interrupt, by number
   for (const NamedPin& pin : board.pins) {
     if (!pin.can("interrupt")) continue;
-    const std::string& first = pins.emplace(pin.pin.substr(2), pin.pin).first->second;
+    const std::string& first = pins.emplace(pin_name(pin.pin).number, pin.pin).first->second;
     if (first != pin.pin)
       mistakes.push_back(fmt::format("pins '{}' and '{}' share an external interrupt line", first, pin.pin));
   }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <stdexcept>
 
 #include "generator/board_sources/chip_needs.hpp"
+#include "generator/descriptor/pin_name.hpp"
 #include "generator/descriptor/port_signals.hpp"
 #include "generator/emit/template.hpp"
 
@@ -20,8 +22,8 @@ std::string peripheral(std::string name) {
   return "k" + name;
 }
 
-/// `{'A', 9}`
-std::string pin_text(const std::string& pin) { return fmt::format("{{'{}', {}}}", pin.at(1), pin.substr(2)); }
+/// `PA9` to `{'A', 9}`.
+std::string pin_text(const std::string& pin) { return pin_name(pin).initializer(); }
 
 std::string stream_text(const DmaStream* stream) {
   if (stream == nullptr) return "{0, 0}";
@@ -105,9 +107,13 @@ Kind kind_of(PortClass kind) {
       return {"spi", spi_data};
     case PortClass::pwm:
       return {"pwm", pwm_data};
-    default:
+    case PortClass::uart:
       return {"uart", uart_data};
+    case PortClass::edge:
+    case PortClass::adc:
+      break;
   }
+  throw std::logic_error("no bus sits on a port of this class");
 }
 
 class PortFiles {
@@ -118,7 +124,7 @@ class PortFiles {
     std::map<std::uint32_t, std::vector<PortObject>> edges;  // by interrupt line
     for (const PortObject& object : port_objects(board_)) {
       if (object.kind == PortClass::edge) {
-        edges[interrupt_of(object.edge)].push_back(object);
+        edges[edge_interrupt(object.edge)].push_back(object);
       } else if (object.kind == PortClass::adc) {
         add_converter(object);
       } else {
@@ -156,11 +162,10 @@ class PortFiles {
     for (const PortObject& object : group) {
       Data edge;
       edge.set("name", object.name);
-      edge.set("pin", fmt::format("{{'{}', {}}}", object.edge.port, object.edge.number));
+      edge.set("pin", object.edge.initializer());
       edge.set("condition", group.size() == 1 ? "" : fmt::format("if (finemote::{}.is_pending()) ", object.name));
       list.push_back(edge);
-      pins +=
-          fmt::format("{}{} of pin P{}{}", pins.empty() ? "" : ", ", object.name, object.edge.port, object.edge.number);
+      pins += fmt::format("{}{} of pin {}", pins.empty() ? "" : ", ", object.name, object.edge.text());
     }
     data.set("edges", list);
     data.set("line", std::to_string(line));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "generator/bus/bus_type.hpp"
 
@@ -15,25 +16,39 @@ PortClass port_class(const Port& port) { return bus_type(port.kinds.front()).por
 std::vector<PortObject> port_objects(const Board& board) {
   std::vector<PortObject> objects;
   for (const Port& port : board.ports) objects.push_back({port.name, board.name, port_class(port), &port, {}});
-  std::map<std::uint32_t, char> edges;
+  std::map<std::uint32_t, PinName> edges;  // by the number of their EXTI line
   std::set<std::string> converters;
   for (const NamedPin& pin : board.pins) {
-    if (pin.can("interrupt")) edges.emplace(std::stoul(pin.pin.substr(2)), pin.pin.at(1));
+    const PinName place = pin_name(pin.pin);
+    if (pin.can("interrupt")) edges.emplace(place.number, place);
     if (!pin.converter.empty()) converters.insert(pin.converter);
   }
-  for (const auto& [number, port] : edges)
-    objects.push_back({fmt::format("exti{}", number), board.name, PortClass::edge, nullptr, {port, number}});
+  for (const auto& [number, pin] : edges)
+    objects.push_back({fmt::format("exti{}", number), board.name, PortClass::edge, nullptr, pin});
   for (const std::string& name : converters) objects.push_back({name, board.name, PortClass::adc, nullptr, {}});
   return objects;
 }
 
 const char* class_name(PortClass kind) {
-  constexpr const char* kNames[] = {"Uart", "Can", "I2c", "Spi", "Pwm", "Edge", "Adc"};
-  return kNames[static_cast<std::size_t>(kind)];
+  switch (kind) {
+    case PortClass::uart:
+      return "Uart";
+    case PortClass::can:
+      return "Can";
+    case PortClass::i2c:
+      return "I2c";
+    case PortClass::spi:
+      return "Spi";
+    case PortClass::pwm:
+      return "Pwm";
+    case PortClass::edge:
+      return "Edge";
+    case PortClass::adc:
+      return "Adc";
+  }
+  throw std::logic_error("no class of ports");
 }
 
-std::uint32_t interrupt_of(const EdgeSource& edge) {
-  return edge.number < 5 ? 6 + edge.number : edge.number < 10 ? 23 : 40;
-}
+std::uint32_t edge_interrupt(const PinName& pin) { return pin.number < 5 ? 6 + pin.number : pin.number < 10 ? 23 : 40; }
 
 }  // namespace finemote::gen

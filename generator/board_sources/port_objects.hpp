@@ -7,21 +7,16 @@
 
 #include "generator/bus/port_class.hpp"
 #include "generator/descriptor/board.hpp"
+#include "generator/descriptor/pin_name.hpp"
 
 namespace finemote::gen {
-
-/// An edge port: a pin that interrupts.
-struct EdgeSource {
-  char port = 'A';
-  std::uint32_t number = 0;  ///< of pin and EXTI line
-};
 
 struct PortObject {
   std::string name;   ///< `usart1`, `exti0`, `adc3`
   std::string board;  ///< whose port it is
   PortClass kind = PortClass::uart;
   const Port* port = nullptr;  ///< in the board file; null for edges and converters
-  EdgeSource edge;             ///< of an edge port
+  PinName edge;                ///< of an edge port: the pin, whose number is that of its EXTI line
 };
 
 /// Of the first kind of bus that the port serves; a serial port where that has none.
@@ -33,7 +28,7 @@ std::vector<PortObject> port_objects(const Board& board);
 /// `Uart`, before `Port` and `Hardware`.
 const char* class_name(PortClass kind);
 
-/// Interrupt line of an EXTI line: RM0090 12.2, table 62.
-std::uint32_t interrupt_of(const EdgeSource& edge);
+/// Interrupt line of the EXTI line of a pin: RM0090 12.2, table 62.
+std::uint32_t edge_interrupt(const PinName& pin);
 
 }  // namespace finemote::gen

@@ -5,6 +5,7 @@
 #include "generator/bus/bus_kind.hpp"
 #include "generator/descriptor/check_board.hpp"
 #include "generator/descriptor/member.hpp"
+#include "generator/descriptor/pin_name.hpp"
 #include "generator/descriptor/read_param.hpp"
 
 namespace finemote::gen {
@@ -96,8 +97,10 @@ NamedPin read_pin(const Json& value) {
   return pin;
 }
 
-/// Index of `PA13` among the pins of a chip with ports A to I, 16 each.
-int pin_index(const std::string& pin) { return (pin.at(1) - 'A') * 16 + std::stoi(pin.substr(2)); }
+/// Index among the pins of a chip with ports A to I, 16 each.
+int index_of(const PinName& pin) { return (pin.port - 'A') * 16 + static_cast<int>(pin.number); }
+
+PinName pin_at(int index) { return {static_cast<char>('A' + index / 16), static_cast<std::uint32_t>(index % 16)}; }
 
 /// `PA0-PA15` and `PD2`, one after the other; without a package PA0 to PI15.
 std::vector<std::string> read_chip_pins(const Json& value) {
@@ -107,9 +110,9 @@ std::vector<std::string> read_chip_pins(const Json& value) {
   std::vector<std::string> pins;
   for (const std::string& range : ranges) {
     const std::size_t dash = range.find('-');
-    const int last = pin_index(dash == std::string::npos ? range : range.substr(dash + 1));
-    for (int index = pin_index(range.substr(0, dash)); index <= last; ++index)
-      pins.push_back(fmt::format("P{}{}", static_cast<char>('A' + index / 16), index % 16));
+    const int first = index_of(pin_name(range.substr(0, dash)));
+    const int last = dash == std::string::npos ? first : index_of(pin_name(range.substr(dash + 1)));
+    for (int index = first; index <= last; ++index) pins.push_back(pin_at(index).text());
   }
   return pins;
 }

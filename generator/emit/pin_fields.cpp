@@ -1,6 +1,7 @@
 #include "generator/emit/pin_fields.hpp"
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/descriptor/pin_name.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -47,8 +48,9 @@ Data used_pin(const Device& device, const Use& use) {
 }  // namespace
 
 void set_pin(const std::string& pin, Data& data) {
-  data.set("pin_letter", pin.substr(1, 1));
-  data.set("pin_number", pin.substr(2));
+  const auto [port, number] = pin_name(pin);
+  data.set("pin_letter", std::string(1, port));
+  data.set("pin_number", std::to_string(number));
 }
 
 Data driver_pins(const Plan& plan) {

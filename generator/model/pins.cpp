@@ -4,19 +4,16 @@
 
 #include <algorithm>
 
+#include "generator/descriptor/pin_name.hpp"
 #include "generator/model/attributes.hpp"
-#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
 
 /// Without a board, any pin that a chip of the family has.
 bool is_chip_pin(const Board* board, const std::string& name) {
-  if (board != nullptr)
-    return std::find(board->chip_pins.begin(), board->chip_pins.end(), name) != board->chip_pins.end();
-  if (name.size() < 3 || name.size() > 4 || name[0] != 'P' || name[1] < 'A' || name[1] > 'I') return false;
-  const auto number = units::parse_bare(name.substr(2));
-  return number && *number <= 15 && name == fmt::format("P{}{}", name[1], *number);
+  if (board == nullptr) return parse_pin(name).has_value();
+  return std::find(board->chip_pins.begin(), board->chip_pins.end(), name) != board->chip_pins.end();
 }
 
 }  // namespace

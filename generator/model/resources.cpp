@@ -7,6 +7,7 @@
 #include <set>
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/descriptor/pin_name.hpp"
 #include "generator/diagnostic/code_hardware.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/bus_offers.hpp"
@@ -127,7 +128,8 @@ class ResourceTable {
     if (!may_be_used(board, use.pin, use.function, use.ports)) return report_reserved(use);
     const User self{use.who, use.user_at};
     if (!take({"pin", use.pin}, self, use.at, use.length, &use)) return;
-    if (use.function == "interrupt") take({"interrupt", "EXTI" + use.pin.substr(2)}, self, use.at, use.length);
+    if (use.function == "interrupt")
+      take({"interrupt", fmt::format("EXTI{}", pin_name(use.pin).number)}, self, use.at, use.length);
   }
 
  private:

@@ -47,8 +47,7 @@ std::string source_of(const TimedRobot& timed, unsigned exception) {
 bool is_of_pin(const TimedRobot& timed, unsigned exception) {
   const auto raises = [&](const Use& use) {
     if (use.spec->function != "interrupt" || use.pin.empty()) return false;
-    const EdgeSource edge{use.pin.at(1), static_cast<std::uint32_t>(std::stoul(use.pin.substr(2)))};
-    return exception_of(interrupt_of(edge)) == exception;
+    return exception_of(edge_interrupt(pin_name(use.pin))) == exception;
   };
   return std::any_of(timed.robot.devices.begin(), timed.robot.devices.end(),
                      [&](const Device& device) { return std::any_of(device.uses.begin(), device.uses.end(), raises); });

@@ -3,6 +3,7 @@
 #include "catch.hpp"
 #include "generator/descriptor/json_file.hpp"
 #include "generator/descriptor/library.hpp"
+#include "generator/descriptor/pin_name.hpp"
 #include "generator/descriptor/read_board.hpp"
 #include "generator/descriptor/read_device_type.hpp"
 #include "generator/descriptor/read_param.hpp"
@@ -208,6 +209,18 @@ TEST_CASE("the clock of a board is a crystal's, or as its file says") {
   ShippedLibrary shipped;
   CHECK(shipped.board("robomaster_type_c").clock_ppm == 50);
   CHECK(Board().clock_ppm == 50);
+}
+
+TEST_CASE("a pin is a port and a number, spelled in one way only") {
+  CHECK(parse_pin("PA9") == PinName{'A', 9});
+  CHECK(pin_name("PI15") == PinName{'I', 15});
+  CHECK(pin_name("PI15").text() == "PI15");
+  CHECK(pin_name("PI15").initializer() == "{'I', 15}");
+  for (const char* other : {"", "PA", "PA16", "PA09", "PA+1", "PA-1", "PA9 ", "PJ0", "pa9", "A9"}) {
+    CAPTURE(other);
+    CHECK_FALSE(parse_pin(other));
+    CHECK_THROWS_AS(pin_name(other), std::invalid_argument);
+  }
 }
 
 TEST_CASE("a board that extends another has all it does not say itself from there") {
