@@ -66,14 +66,10 @@ class I2cLine {
     if (high && !scl_) ++clocks_by_hand_;
     scl_ = high;
   }
-  void set_sda(bool high) {
-    if (high && !sda_ && scl_ && held_clocks_ == 0) ++stops_by_hand_;
-    sda_ = high;
-  }
+  void set_sda(bool high) { sda_ = high; }
   [[nodiscard]] bool scl() const { return scl_; }
   [[nodiscard]] bool sda() const { return sda_ && held_clocks_ == 0; }
   [[nodiscard]] unsigned clocks_by_hand() const { return clocks_by_hand_; }
-  [[nodiscard]] unsigned stops_by_hand() const { return stops_by_hand_; }
   static constexpr unsigned kForever = ~0U;
 
  private:
@@ -83,7 +79,7 @@ class I2cLine {
   };
   std::vector<I2cPart*> parts_, selected_;
   std::vector<Fault> faults_;
-  unsigned held_clocks_ = 0, clocks_by_hand_ = 0, stops_by_hand_ = 0;
+  unsigned held_clocks_ = 0, clocks_by_hand_ = 0;
   bool scl_ = true, sda_ = true;
 };
 

@@ -37,7 +37,6 @@ void Iwdg::write(std::uint32_t offset, std::uint32_t value) {
     case 0x0:
       unlocked_ = value == 0x5555;
       if (value == 0xCCCC) running_ = true;
-      if (value == 0xAAAA) ++feeds_;
       if (running_ && (value == 0xAAAA || value == 0xCCCC)) feed();
       return;
     case 0x4:

@@ -18,7 +18,6 @@ class Iwdg : public Peripheral {
   std::uint32_t lsi_hz = 32'000;  ///< 17 to 47 kHz: DS8626 5.3.9
   std::function<void()> on_timeout;
   [[nodiscard]] bool running() const { return running_; }
-  [[nodiscard]] std::uint64_t feeds() const { return feeds_; }
 
  private:
   void feed();
@@ -26,7 +25,7 @@ class Iwdg : public Peripheral {
   std::uint32_t prescaler_ = 0, reload_ = 0xFFF;
   bool running_ = false, unlocked_ = false;
   Time busy_until_ = 0;
-  std::uint64_t token_ = 0, feeds_ = 0;
+  std::uint64_t token_ = 0;
 };
 
 }  // namespace finemote::emulator

@@ -116,14 +116,12 @@ void Cpu::reset() {
   core_.pace.it_begin = core_.pace.it_end = 0;
   core_.fp_active = core_.lazy_frame = core_.fpu_on = core_.traps_unaligned = false;
   sleeping_ = kick_ = false;
-  guard_begin_ = guard_end_ = 0;
-  core_.stack_alarm = lowest_stack_;
+  guard_begin_ = guard_end_ = core_.stack_alarm = 0;
 }
 
 void Cpu::stack_moved() {
   const std::uint32_t sp = core_.registers.r[13];
-  if (sp < lowest_stack_) lowest_stack_ = sp;
-  core_.stack_alarm = lowest_stack_ > guard_end_ ? lowest_stack_ : guard_end_;
+  core_.stack_alarm = guard_end_;
   if (sp < guard_end_ && sp >= guard_begin_ && guard_end_ != 0 && pending_fault_ == 0) {
     pending_fault_ = kMemManage;
     pending_cfsr_ = kDataMem | kMemAddress;

@@ -71,8 +71,6 @@ class Cpu : private Outside {
   [[nodiscard]] std::uint64_t executed() const { return core_.pace.instructions - core_.pace.waits; }
   /// Spent in sleep or in a jump to itself.
   [[nodiscard]] Time idle_time() const { return idle_ + core_.pace.waited; }
-  /// Lowest stack pointer seen; 0xFFFFFFFF before the first.
-  [[nodiscard]] std::uint32_t lowest_stack() const { return lowest_stack_; }
   [[nodiscard]] int exit_code() const { return exit_code_; }
   [[nodiscard]] const std::string& console() const { return console_; }
   [[nodiscard]] const std::vector<int>& active_exceptions() const { return active_; }
@@ -184,7 +182,7 @@ class Cpu : private Outside {
   const FlashModel asked_flash_;
   Time end_ = 0, next_stop_ = 0, idle_ = 0;
   std::vector<int> active_;
-  std::uint32_t lowest_stack_ = 0xFFFFFFFFU, guard_begin_ = 0, guard_end_ = 0;
+  std::uint32_t guard_begin_ = 0, guard_end_ = 0;
   Probe probe_;
   ExecutionLog* log_ = nullptr;
   std::map<std::uint32_t, std::uint32_t> stamps_;    ///< addresses by stage

@@ -93,7 +93,7 @@ bool Cpu::access_alias(std::uint32_t address, unsigned bytes, const std::uint32_
 /// A register of the core may have changed what the core does next.
 void Cpu::after_core_access() {
   std::tie(guard_begin_, guard_end_) = system_.mpu().guard();
-  core_.stack_alarm = lowest_stack_ > guard_end_ ? lowest_stack_ : guard_end_;
+  core_.stack_alarm = guard_end_;
   core_.fpu_on = system_.fpu_enabled();
   core_.traps_unaligned = system_.traps_unaligned();
   after_access();

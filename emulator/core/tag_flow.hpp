@@ -51,7 +51,6 @@ class TagFlow {
   void reset();
 
   [[nodiscard]] const WordTags& of_register(unsigned number) const { return r_[number]; }
-  [[nodiscard]] const WordTags& of_single(unsigned number) const { return s_[number]; }
 
  private:
   struct File {

@@ -1,9 +1,8 @@
-// Parts and events from a JSON document, on the `mini` image; and chains measured on its trace.
+// Parts and events from a JSON document, on the `mini` image.
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "catch.hpp"
-#include "emulator/chain.hpp"
 #include "emulator/outfit.hpp"
 #include "tests/emulator/type_c.hpp"
 
@@ -141,22 +140,4 @@ TEST_CASE("a scenario with a mistake is refused with the entry") {
   CHECK_THROWS_AS(
       add(R"({"schema": "finemote.scenario/1", "events": [{"t_ns": "1ms", "port": "i2c2", "do": "nack"}]})"),
       std::invalid_argument);
-}
-
-TEST_CASE("a chain is followed back through latest finished stages") {
-  // Devices: 0 sensor (5 ms), 1 actuator (10 ms), 2 root (10 ms).
-  const std::vector<StageEvent> events = {
-      {0, 0, true},   {10, 0, false},                                   // sensor 0
-      {20, 2, true},  {30, 2, false},  {30, 4, true},  {40, 4, false},  // actuator and root update
-      {45, 0, true},  {50, 0, false},                                   // sensor again: too late for the root
-      {60, 5, true},  {70, 5, false},  {70, 3, true},  {80, 3, false},  // root and actuator handle
-      {100, 2, true}, {110, 2, false}, {110, 4, true}, {120, 4, false},
-      {120, 5, true}, {130, 5, false}, {130, 3, true}, {145, 3, false},
-  };
-  const auto samples = chain_samples(stage_runs(events), {0, 2}, {2, 1});
-  REQUIRE(samples.size() == 2);
-  CHECK(samples[0].update_begin_ns == 0);
-  CHECK(samples[0].handle_end_ns == 80);
-  CHECK(samples[1].update_begin_ns == 45);
-  CHECK(samples[1].handle_end_ns == 145);
 }
