@@ -14,7 +14,7 @@ constexpr Time kLogStep = from_ns(10'000'000);
 Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::move(wiring)), options_(options) {
   if (options.tags) world_.tags().turn_on();
   world_.silicon() = options.silicon;
-  world_.system().counts_in_sleep = !options.silicon.is(Meanness::cycle_count);
+  world_.system().counts_in_sleep = !options.silicon.is(Strictness::cycle_count);
   const Cpu::Around around{world_.queue(),      world_.reports(), world_.system(), chip_,
                            world_.provenance(), world_.tags(),    world_.silicon()};
   cpu_ = std::make_unique<Cpu>(around, options.cost, options.flash);
@@ -25,7 +25,7 @@ Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::mo
   fill_ram();
   chip_.reset();
   chip_.rcc.lsi_hz =
-      options.silicon.is(Meanness::clock_rates) ? world_.silicon().draw(Meanness::clock_rates) : options.lsi_hz;
+      options.silicon.is(Strictness::clock_rates) ? world_.silicon().draw(Strictness::clock_rates) : options.lsi_hz;
   chip_.iwdg.lsi_hz = chip_.rcc.lsi_hz;
   chip_.iwdg.on_timeout = [this] { restart(Rcc::kWatchdogReset); };
   chip_.wwdg.on_timeout = [this] { restart(Rcc::kWindowReset); };
@@ -34,12 +34,12 @@ Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::mo
 
 /// What it holds at power-on.
 void Board::fill_ram() {
-  if (!options_.silicon.is(Meanness::ram_pattern)) return;
+  if (!options_.silicon.is(Strictness::ram_pattern)) return;
   for (const auto& [base, bytes] : {std::pair{Memories::kRamBase, Memories::kRamBytes},
                                     std::pair{Memories::kCoreRamBase, Memories::kCoreRamBytes}}) {
     std::uint8_t* const ram = cpu_->memory(base, bytes);
     std::generate(ram, ram + bytes,
-                  [this] { return static_cast<std::uint8_t>(world_.silicon().bits(Meanness::ram_pattern)); });
+                  [this] { return static_cast<std::uint8_t>(world_.silicon().bits(Strictness::ram_pattern)); });
   }
 }
 

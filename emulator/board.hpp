@@ -19,7 +19,7 @@ struct BoardOptions {
   std::uint32_t lsi_hz = 32'000;
   bool keeps_log = false;  ///< keeps every event of the execution log
   bool probe = true;       ///< reads the trace ring; false leaves it to the firmware
-  Silicon silicon;         ///< in what the chip is meaner than its manual
+  Silicon silicon;         ///< which freedom of its manual the chip uses
   bool tags = false;       ///< follows where bytes come from: `World::provenance` knows of the firmware then
 };
 

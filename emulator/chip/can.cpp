@@ -192,7 +192,7 @@ void Can::enter_initialisation() {
   const auto enter = [this] {
     if ((mcr_ & kInit) != 0) acknowledged_ = initialising_ = true;
   };
-  const std::uint32_t late_us = world_.silicon().draw_or_zero(Meanness::can_init);
+  const std::uint32_t late_us = world_.silicon().draw_or_zero(Strictness::can_init);
   late_us == 0 ? enter() : world_.after(from_ns(std::uint64_t{late_us} * 1'000), enter);
 }
 

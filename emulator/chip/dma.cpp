@@ -255,7 +255,7 @@ bool Dma::transfer(Stream& s, std::uint32_t memory) {
   return true;
 }
 
-Time Dma::late(Meanness way) { return world_.silicon().draw_or_zero(way) * world_.system().clock().period(); }
+Time Dma::late(Strictness way) { return world_.silicon().draw_or_zero(way) * world_.system().clock().period(); }
 
 /// What the stream has read, to memory: at once, or as late as the chip is.
 void Dma::store(std::uint32_t memory, unsigned bytes, std::uint32_t value) {
@@ -264,14 +264,14 @@ void Dma::store(std::uint32_t memory, unsigned bytes, std::uint32_t value) {
     world_.cpu().ram_changed(memory, bytes);
     world_.tags().put_in_memory(memory, bytes, tags);
   };
-  const Time delay = late(Meanness::dma_store);
+  const Time delay = late(Strictness::dma_store);
   stored_at_ = delay;
   delay == 0 ? arrive() : world_.after(delay, arrive);
 }
 
 /// Flags follow the last item into memory.
 void Dma::raise_late(unsigned index, std::uint32_t flags) {
-  const Time delay = stored_at_ + late(Meanness::dma_flag);
+  const Time delay = stored_at_ + late(Strictness::dma_flag);
   if (delay == 0) return raise(index, flags);
   world_.after(delay, [this, index, flags, turned_on = streams_[index].turned_on] {
     if (streams_[index].turned_on == turned_on) raise(index, flags);

@@ -80,7 +80,7 @@ class Dma : public Peripheral {
   bool fail(std::uint32_t address);
   void store(std::uint32_t memory, unsigned bytes, std::uint32_t value);
   void raise_late(unsigned index, std::uint32_t flags);
-  [[nodiscard]] Time late(Meanness way);
+  [[nodiscard]] Time late(Strictness way);
   std::uint8_t* reachable(std::uint32_t address, unsigned bytes, bool written);
 
   unsigned number_;

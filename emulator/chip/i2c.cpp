@@ -151,7 +151,7 @@ void I2c::leave_addressed() {
 
 /// Something more urgent runs first, on a chip that is so.
 void I2c::pause() {
-  const Time time = from_ns(std::uint64_t{world_.silicon().draw_or_zero(Meanness::i2c_pause)} * 1'000);
+  const Time time = from_ns(std::uint64_t{world_.silicon().draw_or_zero(Strictness::i2c_pause)} * 1'000);
   world_.cpu().add_wait(static_cast<unsigned>(time / world_.system().clock().period()));
 }
 
@@ -237,7 +237,7 @@ void I2c::request_stop() {
 
 void I2c::begin_stop() {
   go(State::stopping);
-  later(bits(1) + from_ns(world_.silicon().draw_or_zero(Meanness::i2c_stop)), &I2c::stop_done);
+  later(bits(1) + from_ns(world_.silicon().draw_or_zero(Strictness::i2c_stop)), &I2c::stop_done);
 }
 
 void I2c::stop_done() {

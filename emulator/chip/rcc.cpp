@@ -73,7 +73,7 @@ bool Rcc::clocked(ClockBus bus, std::uint32_t bits) const {
 /// How long a start takes on this chip, of what is typical.
 Time Rcc::as_slow(Time typical) {
   Silicon& silicon = world_.silicon();
-  return silicon.is(Meanness::clock_ready) ? typical * silicon.draw(Meanness::clock_ready) / 100 : typical;
+  return silicon.is(Strictness::clock_ready) ? typical * silicon.draw(Strictness::clock_ready) / 100 : typical;
 }
 
 void Rcc::start(std::uint32_t ready_bit, Time delay) {

@@ -87,7 +87,7 @@ void Spi::shifted(const Frame& out) {
 
 /// BSY falls with the last edge, which on some chips comes later than the sampling of the last bit.
 void Spi::end_clock() {
-  const std::uint32_t half_bits = world_.silicon().draw_or_zero(Meanness::spi_busy);
+  const std::uint32_t half_bits = world_.silicon().draw_or_zero(Strictness::spi_busy);
   if (half_bits == 0) {
     sr_ &= ~kBusy;
     return;
@@ -148,7 +148,7 @@ void Spi::write_cr1(std::uint32_t value) {
   if (ending_) world_.report(Misuse::protocol, name() + " is turned off before the last edge of the clock");
   ++token_;
   shifting_ = ending_ = false;
-  full_ = full_ && world_.silicon().is(Meanness::spi_kept);
+  full_ = full_ && world_.silicon().is(Strictness::spi_kept);
   sr_ = (sr_ & ~(kBusy | kEmpty)) | (full_ ? 0 : kEmpty);
 }
 

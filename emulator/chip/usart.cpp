@@ -220,7 +220,7 @@ void Usart::write_cr1(std::uint32_t value) {
 
 /// What some lines bring a receiver that is turned on, until the other side drives them.
 void Usart::hear_noise() {
-  const std::uint32_t bytes = world_.silicon().draw_or_zero(Meanness::first_bytes);
+  const std::uint32_t bytes = world_.silicon().draw_or_zero(Strictness::first_bytes);
   const SerialFormat mine = format();
   for (std::uint32_t i = 1; i <= bytes; ++i) {
     world_.after(i * mine.byte_time(), [this, mine, token = driven_] {

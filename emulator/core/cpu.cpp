@@ -155,13 +155,13 @@ int Cpu::takeable() const {
   return next != 0 && system_.nvic().priority(next) < priority_limit() ? next : 0;
 }
 
-/// Out of sleep; where the chip is mean so, without the instruction behind the WFI: ES0182.
+/// Out of sleep; where the chip is strict in this, without the instruction behind the WFI: ES0182.
 void Cpu::wake() {
   if (!sleeping_) return;
   sleeping_ = false;
   const std::uint32_t slept_at = pc(), place = slept_at % 8;
   const bool in_flash = slept_at < Memories::kFlashBase + Memories::kFlashBytes && (place == 2 || place == 4);
-  if (!in_flash || !system_.debug_clock_in_sleep() || silicon_.draw_or_zero(Meanness::wake_up) == 0) return;
+  if (!in_flash || !system_.debug_clock_in_sleep() || silicon_.draw_or_zero(Strictness::wake_up) == 0) return;
   std::uint32_t& next = core_.registers.next;
   const std::uint8_t* lost = memory(next, 2);
   next += lost != nullptr && lost[1] >= 0xE8 ? 4 : 2;

@@ -7,7 +7,7 @@
 // - `board`: what of its board file the emulator wires (emulator/chip/wiring.hpp)
 // - [`image`]: path of an ELF; without it the parts are wired and nothing runs
 // - [`flash`]: `hit`, which is the default, or `miss`: every new line costs the wait states
-// - [`silicon`]: `names` of what the chip is meaner in, and the `seed` that draws how much
+// - [`silicon`]: `names` of the freedom that the chip uses, and the `seed` that draws how much
 // - [`tags`]: whether the board follows where bytes come from; true by default
 // - `parts`: what hangs on the board, a document finemote.scenario/1
 // - [`events`]: another one: what happens (its `events`), and what has to be seen (its `expect`)

@@ -16,7 +16,7 @@ struct WatchOptions {
   std::uint32_t crystal_hz = 0;               ///< 0: the board's; of the bare chip 12 MHz
   bool dead_crystal = false;                  ///< it never starts
   bool flash_misses = false;
-  std::vector<std::string> silicon;  ///< in what the chip is meaner: names of emulator/silicon/meanness.hpp
+  std::vector<std::string> silicon;  ///< which freedom the chip uses: names of emulator/silicon/strictness.hpp
   std::uint64_t seed = 1;            ///< and how much
   bool as_document = false;          ///< writes one JSON document finemote.emulator/1 and nothing else
 };

@@ -77,7 +77,7 @@ constexpr Row kRows[] = {
     {"--crystal", "HZ|dead", "frequency of the crystal, or that it never starts; the board's if absent", read_crystal},
     {"--flash", "hit|miss", "fetches hit the flash accelerator, or miss it always",
      [](const std::string& word, WatchOptions& o) { return read_choice(word, "miss", "hit", o.flash_misses); }},
-    {"--silicon", "WAYS", "strict, or strict:NAME,.. for a chip that is meaner than its manual reads", read_silicon},
+    {"--silicon", "WAYS", "strict, or strict:NAME,.. for a chip that uses the freedom its manual leaves", read_silicon},
     {"--seed", "N", "of how much it is; 1 if absent", read_seed},
     {"--format", "text|json", "lines of text, or one document finemote.emulator/1",
      [](const std::string& word, WatchOptions& o) { return read_choice(word, "json", "text", o.as_document); }},

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "emulator/silicon/meanness.hpp"
+#include "emulator/silicon/strictness.hpp"
 #include "generator/diagnostic/suggest.hpp"
 
 namespace finemote::emulator {
@@ -17,7 +17,7 @@ constexpr const char* kStrict = "strict";
 
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
-  for (const MeannessInfo& info : meannesses()) names.emplace_back(info.name);
+  for (const StrictnessInfo& info : strictnesses()) names.emplace_back(info.name);
   return names;
 }
 

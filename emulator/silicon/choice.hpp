@@ -1,4 +1,4 @@
-// `strict` and `strict:NAME,..` to the ways in which the emulated chip is meaner than its manual reads.
+// `strict` and `strict:NAME,..` to the freedom of its manual that the emulated chip uses.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace finemote::emulator {
 
-/// The names that were asked for, in the order of meannesses(): all of them with `strict` alone, none with an empty
+/// The names that were asked for, in the order of strictnesses(): all of them with `strict` alone, none with an empty
 /// text. Reports words that are no names as wrong usage.
 std::optional<std::vector<std::string>> parse_silicon(const std::string& text, gen::Diagnostics& diagnostics);
 

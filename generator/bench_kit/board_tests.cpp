@@ -85,7 +85,7 @@ std::int64_t i2c_bit_ns(const Board& board) {
   return clock / (kParts * kRate) * kParts * kNsPerSecond / clock;
 }
 
-/// What the drivers do not rely on: each is a way in which a chip may be meaner than its manual reads.
+/// What the drivers do not rely on: each is a freedom that the manual of a chip leaves.
 Tests tests_of_buses(const Board& board) {
   constexpr std::int64_t kPoll = 1'000, kFrame = 200'000;  // ns: half a bit at 328 kHz is 1.5 us; a frame at 1 Mbit/s
   constexpr std::int64_t kSeen = 200;                      // ns: a turn of the loop that looks, and four clocks of APB1

@@ -137,7 +137,7 @@ OptionList options_of_run() {
         {"--flash", Choice{{"hit", "miss"}, [](Options& o, std::size_t word) { o.flash_misses = word == 1; }},
          "emulated board: fetches hit the flash accelerator, or miss it always"},
         {"--silicon", &Options::silicon,
-         "emulated board: strict, or strict:NAME,.. for a chip that is meaner than its manual reads"},
+         "emulated board: strict, or strict:NAME,.. for a chip that uses the freedom its manual leaves"},
         {"--slowest", &Options::slowest, "emulated board: its slowest mode, --flash miss and --silicon strict"},
         {"--audit", &Options::audit, "write the raw record of the run to this file, as JSON Lines"},
         {"--phases", &Options::phases, "run so often, with random phases and clock errors of parts and board"},

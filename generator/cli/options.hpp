@@ -59,7 +59,7 @@ struct Options {
   std::string duration;             ///< --duration
   bool flash_misses = false;        ///< --flash miss: fetches from the emulated flash are never there already
   bool slowest = false;             ///< --slowest: --flash miss and --silicon strict
-  std::string silicon;              ///< --silicon: in what the emulated chip is meaner than its manual
+  std::string silicon;              ///< --silicon: which freedom of its manual the emulated chip uses
   std::string keep;                 ///< --keep: folder for the sources and build of `run`
   std::string scenario;             ///< --scenario: stimuli and faults for `run`
   bool deps = false;                ///< xacro --deps

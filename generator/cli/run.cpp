@@ -43,7 +43,7 @@ struct Setup {
   const Board& board;
   Duration duration;
   std::optional<Scenario> scenario;
-  std::vector<std::string> silicon;  ///< in what the emulated chip is meaner
+  std::vector<std::string> silicon;  ///< which freedom of its manual the emulated chip uses
 
   [[nodiscard]] bool is_emulated() const { return board.is_emulated; }
   [[nodiscard]] const Scenario* asked_scenario() const { return scenario ? &*scenario : nullptr; }

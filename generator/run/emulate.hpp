@@ -22,7 +22,7 @@ struct EmulationOptions {
   const Schedule* audit = nullptr;     ///< not null: every event of a run of this schedule is kept
   std::optional<Phase> phase = {};     ///< none: every clock is exact, and parts begin as their models do
   bool flash_misses = false;   ///< every new line of flash costs its wait states; else the accelerator always has it
-  SiliconChoice silicon = {};  ///< in what the chip is meaner than its manual reads
+  SiliconChoice silicon = {};  ///< which freedom of its manual the chip uses
 };
 
 /// Reports FM6012 as a warning for every body whose wheels do not all drive it.

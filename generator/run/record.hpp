@@ -118,7 +118,7 @@ struct RunRecord {
   std::vector<ExpectationRecord> expectations;  ///< of the scenario; emulated board only
   std::vector<ValueSeries> series;              ///< emulated board only
   std::string flash;                            ///< hit or miss: how the emulated board counted fetches
-  SiliconChoice silicon;                        ///< in what the emulated chip was meaner
+  SiliconChoice silicon;                        ///< which freedom of its manual the emulated chip used
   std::vector<Violation> violated;              ///< by the scenario: bounds that rest on them need not hold
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
   std::vector<FaultCount> faults;               ///< in the order of their first times

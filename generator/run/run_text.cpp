@@ -236,7 +236,7 @@ void print_run(const RunResult& result, bool is_verbose, std::ostream& out) {
     out << fmt::format("times are derived from instructions; fetches from flash {}\n",
                        result.record.flash == "hit" ? "hit its accelerator" : "always miss its accelerator");
   if (const SiliconChoice& silicon = result.record.silicon; !silicon.names.empty())
-    out << fmt::format("the chip is meaner than its manual in {}, as seed {} draws it\n",
+    out << fmt::format("the chip uses the freedom its manual leaves in {}, as seed {} draws it\n",
                        fmt::join(silicon.names, ", "), silicon.seed);
   if (result.record.flash == "miss")
     out << "bounds are those of the execution times that the robot has, whatever the fetches cost\n";

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "emulator/silicon/meanness.hpp"
+#include "emulator/silicon/strictness.hpp"
 
 namespace finemote::gen {
 
 std::optional<Phase> clocks_of(const SiliconChoice& choice) {
-  const std::string wanted = emulator::info_of(emulator::Meanness::clock_rates).name;
+  const std::string wanted = emulator::info_of(emulator::Strictness::clock_rates).name;
   if (std::find(choice.names.begin(), choice.names.end(), wanted) == choice.names.end()) return std::nullopt;
   return Phase{choice.seed, 0};
 }

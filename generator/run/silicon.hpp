@@ -1,4 +1,4 @@
-// In what the emulated chip of a run is meaner than its manual reads.
+// Which freedom of its manual the emulated chip of a run uses.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 """Holds the shipped examples against their bounds: chains between all pairs of devices, random phases and clock errors, on an
-ordinary and on a mean chip; undisturbed, and with everything that can go wrong on one bus after the other. See README.md
+ordinary and on a strict chip; undisturbed, and with everything that can go wrong on one bus after the other. See README.md
 beside this file.
 """
 
@@ -58,7 +58,7 @@ def scenarios_of(outline, name):
 
 
 def batches(phases):
-    """Numbers of runs with how many phases each has; the odd ones are on a mean chip."""
+    """Numbers of runs with how many phases each has; the odd ones are on a strict chip."""
     first, size = 0, min(BATCH, (phases + 1) // 2)
     for number in itertools.count():
         if first >= phases:

@@ -68,8 +68,8 @@ class Tool:
         return None if answer.returncode == 2 else json.loads(answer.stdout)
 
     def run(self, robot, scenario, number, phases, duration=DURATION):
-        """Path of the record, or None where there is none, and what the tool said. Every other robot runs on a chip that is
-        meaner than its manual reads, or all in the slowest mode of the emulated board."""
+        """Path of the record, or None where there is none, and what the tool said. Every other robot runs on a chip that
+        uses the freedom its manual leaves, or all in the slowest mode of the emulated board."""
         record, events = self.folder / "audit.jsonl", self.folder / "scenario.json"
         record.unlink(missing_ok=True)
         events.write_text(json.dumps(scenario), encoding="utf-8")

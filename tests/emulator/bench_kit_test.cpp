@@ -1,4 +1,4 @@
-// The bench kit as its user meets it: written, built, run on emulated boards that are as the manual reads and on meaner
+// The bench kit as its user meets it: written, built, run on emulated boards that are as the manual reads and on strict
 // ones, and judged.
 #include <sys/wait.h>
 
@@ -10,7 +10,7 @@
 #include <set>
 
 #include "catch.hpp"
-#include "emulator/silicon/meanness.hpp"
+#include "emulator/silicon/strictness.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace finemote::test;
@@ -166,8 +166,8 @@ TEST_CASE("the image judges itself as --read does") {
   }
 }
 
-TEST_CASE("each chip that is meaner than its manual shows in its test and in no other") {
-  for (const auto& info : finemote::emulator::meannesses()) {
+TEST_CASE("each chip that uses the freedom its manual leaves shows in its test and in no other") {
+  for (const auto& info : finemote::emulator::strictnesses()) {
     INFO(info.name);
     const Read read = read_record(recorded(std::string("--silicon strict:") + info.name, "3500ms"));
     const auto seen = kSeen.find(info.name);

@@ -39,7 +39,7 @@ double charge(const std::string& bus) {
 
 /// The robot with its parts.
 struct WaitsBoard {
-  explicit WaitsBoard(Meanness way, std::uint32_t late, const std::string& image = "waits")
+  explicit WaitsBoard(Strictness way, std::uint32_t late, const std::string& image = "waits")
       : board{finemote::test::type_c(), fixed(way, late)} {
     board.chip().i2c("i2c2")->line.attach(sensor);
     board.chip().i2c("i2c2")->line.attach(pwm);
@@ -47,7 +47,7 @@ struct WaitsBoard {
     board.load(test_image(image));
   }
 
-  static BoardOptions fixed(Meanness way, std::uint32_t late) {
+  static BoardOptions fixed(Strictness way, std::uint32_t late) {
     BoardOptions options;
     options.silicon.fix(way, late);
     return options;
@@ -94,12 +94,12 @@ TEST_CASE("a STOP that is late by any amount costs no more than is charged, and 
   for (const std::uint32_t late : {0, 100, 300, 500, 700, 800, 900, 1'000, 1'200, 1'600, 2'000, 3'000, 5'000, 10'000,
                                    30'000, 100'000, 1'000'000}) {
     INFO("late by " << late << " ns");
-    WaitsBoard it(Meanness::i2c_stop, late);
+    WaitsBoard it(Strictness::i2c_stop, late);
     it.board.run_for(300 * kMs);
     fast.add(it.longest_of_fast(), charge("fast"));
     slow.add(it.longest_of_slow(), charge("slow"));
     const bool is_counted = faults_of(it.board).count(kStopLate) != 0;
-    if (late <= info_of(Meanness::i2c_stop).most) {
+    if (late <= info_of(Strictness::i2c_stop).most) {
       CHECK(faults_of(it.board).empty());
       CHECK(it.sensor.conversions() > 3);
       CHECK(it.other.conversions() > 3);
@@ -115,21 +115,21 @@ TEST_CASE("an end of the clock that is late by any amount costs no more than is 
   Held held;
   for (const std::uint32_t half_bits : {0, 1, 2, 3, 4, 5, 6, 8, 12, 20, 100, 1'000}) {
     INFO("late by " << half_bits << " half bits");
-    WaitsBoard it(Meanness::spi_busy, half_bits);
+    WaitsBoard it(Strictness::spi_busy, half_bits);
     it.board.run_for(200 * kMs);
     held.add(it.longest_of_spi(), charge("serial"));
-    if (half_bits <= info_of(Meanness::spi_busy).most) CHECK(faults_of(it.board).empty());
+    if (half_bits <= info_of(Strictness::spi_busy).most) CHECK(faults_of(it.board).empty());
     if (half_bits >= 8) CHECK(faults_of(it.board).count(kBusy) == 1);
   }
   CHECK(held.nearest() > 0.4);
 }
 
 TEST_CASE("a driver that waits for longer than it is charged for shows") {
-  WaitsBoard stop(Meanness::i2c_stop, 30'000, "mutant_stop_limit");
+  WaitsBoard stop(Strictness::i2c_stop, 30'000, "mutant_stop_limit");
   stop.board.run_for(300 * kMs);
   CHECK(stop.longest_of_fast() > charge("fast"));
   CHECK(stop.longest_of_slow() > charge("slow"));
-  WaitsBoard busy(Meanness::spi_busy, 100, "mutant_busy_limit");
+  WaitsBoard busy(Strictness::spi_busy, 100, "mutant_busy_limit");
   busy.board.run_for(200 * kMs);
   CHECK(busy.longest_of_spi() > charge("serial"));
 }
@@ -137,7 +137,7 @@ TEST_CASE("a driver that waits for longer than it is charged for shows") {
 TEST_CASE("a wait ends also where the cycle counter stands still") {
   constexpr std::uint32_t kCycleCounterControl = 0xE0001000;
   constexpr int kSysTick = 15;
-  WaitsBoard it(Meanness::i2c_stop, 1'000'000'000);
+  WaitsBoard it(Strictness::i2c_stop, 1'000'000'000);
   it.board.run_for(100 * kMs);
   it.board.world().system().write(kCycleCounterControl, 4, 0, 0, 0);
   const auto entered = [&] { return it.board.world().system().nvic().times_entered(kSysTick); };

@@ -1,11 +1,11 @@
-// `run --silicon`: robots hold their bounds on chips that are meaner than their manual reads, too.
+// `run --silicon`: robots hold their bounds on chips that use the freedom their manual leaves, too.
 #include "catch.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/figures.hpp"
 
 using namespace finemote::test;
 
-TEST_CASE("every example is as good on a chip that is mean in every way as on a plain one") {
+TEST_CASE("every example is as good on a chip that is strict in every way as on a plain one") {
   for (const std::string& robot : example_robots()) {
     INFO(robot);
     const auto ran = run_finemote(
@@ -23,7 +23,7 @@ TEST_CASE("every example is as good on a chip that is mean in every way as on a 
   }
 }
 
-TEST_CASE("the slowest mode misses every line of flash on a chip that is mean in every way") {
+TEST_CASE("the slowest mode misses every line of flash on a chip that is strict in every way") {
   const auto run = [](const std::vector<std::string>& mode) {
     std::vector<std::string> words = {"run", source_path("examples/deep_forest.urdf"), "--duration", "60ms"};
     words.insert(words.end(), mode.begin(), mode.end());
@@ -36,7 +36,7 @@ TEST_CASE("the slowest mode misses every line of flash on a chip that is mean in
   CHECK(run({"--slowest", "--silicon", "strict:spi_busy"})["silicon"]["names"].size() == 1);
 }
 
-TEST_CASE("names choose in what the chip is meaner, and seeds how much") {
+TEST_CASE("names choose in what the chip is strict, and seeds how much") {
   const auto run = [](const std::string& silicon, const std::string& seed) {
     return finemote_json(
         {"run", source_path("examples/two_devices.urdf"), "--duration", "100ms", "--silicon", silicon, "--seed", seed});

@@ -1,4 +1,4 @@
-// Chips that are meaner than their manual reads: the drivers do not mind, and a mistake that each of them shows is
+// Chips that use the freedom their manual leaves: the drivers do not mind, and a mistake that each of them shows is
 // seen.
 #include <functional>
 #include <memory>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kMs = 1'000'000, kSeeds = 8;
 
-BoardOptions mean(const std::vector<Meanness>& ways, std::uint64_t seed) {
+BoardOptions strict(const std::vector<Strictness>& ways, std::uint64_t seed) {
   BoardOptions options;
   options.silicon = Silicon(ways, seed);
   return options;
@@ -137,15 +137,15 @@ enum class Plain { is_fine, is_enough };
 /// The image without the mistake minds no chip that is so; with it, it minds one at least, and none that is plain,
 /// unless that `is_enough` to show it.
 void check(const char* name, const char* image, const Trouble& trouble, Plain plain = Plain::is_fine) {
-  const std::vector<Meanness> ways = {find_meanness(name)->meanness};
+  const std::vector<Strictness> ways = {find_strictness(name)->strictness};
   const std::string mutant = std::string("mutant_") + name;
   INFO(name);
   CHECK(trouble(mutant, {}) == (plain == Plain::is_enough));
   bool caught = false;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     INFO("seed " << seed);
-    CHECK(!trouble(image, mean(ways, seed)));
-    caught = caught || trouble(mutant, mean(ways, seed));
+    CHECK(!trouble(image, strict(ways, seed)));
+    caught = caught || trouble(mutant, strict(ways, seed));
   }
   CHECK(caught);
 }
@@ -154,27 +154,27 @@ void check(const char* name, const char* image, const Trouble& trouble, Plain pl
 
 TEST_CASE("a chip is as its manual reads unless it is asked to be otherwise") {
   Silicon chip;
-  for (const Meanness way : finemote::test::all_ways()) {
+  for (const Strictness way : finemote::test::all_ways()) {
     CHECK(!chip.is(way));
     CHECK(chip.draw_or_zero(way) == 0);
   }
 }
 
 TEST_CASE("what a chip draws is in the range, reaches its ends, and is the same for the same seed") {
-  for (const MeannessInfo& info : meannesses()) {
+  for (const StrictnessInfo& info : strictnesses()) {
     INFO(info.name);
-    REQUIRE(find_meanness(info.name) == &info);
-    Silicon chip({info.meanness}, 7), same(finemote::test::all_ways(), 7);
+    REQUIRE(find_strictness(info.name) == &info);
+    Silicon chip({info.strictness}, 7), same(finemote::test::all_ways(), 7);
     std::set<std::uint32_t> drawn;
     for (int i = 0; i < 100; ++i) {
-      const std::uint32_t value = chip.draw(info.meanness);
-      CHECK(value == same.draw(info.meanness));
+      const std::uint32_t value = chip.draw(info.strictness);
+      CHECK(value == same.draw(info.strictness));
       drawn.insert(value);
     }
     CHECK(*drawn.begin() == info.least);
     CHECK(*drawn.rbegin() == info.most);
   }
-  CHECK(find_meanness("kind") == nullptr);
+  CHECK(find_strictness("kind") == nullptr);
 }
 
 TEST_CASE("a byte that is counted is waited for") { check("dma_store", "ring", ring_trouble); }
@@ -196,21 +196,21 @@ TEST_CASE("nothing is expected of memory at power-on") {
 }
 
 TEST_CASE("a wait for a chip that is worse than so ends by its limit, and is counted") {
-  const auto worse = [](Meanness way) {
-    BoardOptions options = mean({way}, 0);
+  const auto worse = [](Strictness way) {
+    BoardOptions options = strict({way}, 0);
     options.silicon.exceed(way);
     return options;
   };
   constexpr unsigned kSpi = 6 * 256, kCan = 7 * 256;
   {
-    Board board{finemote::test::type_c(), worse(Meanness::spi_busy)};
+    Board board{finemote::test::type_c(), worse(Strictness::spi_busy)};
     board.load(test_image("spi"));
     board.run_for(60 * kMs);
     CHECK(faults_of(board) == std::set<unsigned>{kSpi + 17});
     CHECK(board.word("done", 0) >= 50);
   }
   {
-    Board board{finemote::test::type_c(), worse(Meanness::can_init)};
+    Board board{finemote::test::type_c(), worse(Strictness::can_init)};
     board.load(test_image("can"));
     board.run_for(200 * kMs);
     CHECK(faults_of(board) == std::set<unsigned>{kCan + 16});
@@ -218,7 +218,7 @@ TEST_CASE("a wait for a chip that is worse than so ends by its limit, and is cou
     CHECK(board.resets() == 0);
   }
   {
-    Board board{finemote::test::type_c(), worse(Meanness::clock_ready)};
+    Board board{finemote::test::type_c(), worse(Strictness::clock_ready)};
     board.load(test_image("sample"));
     board.run_for(400 * kMs);
     CHECK(board.chip().rcc.core_hz() == 16'000'000);
@@ -226,10 +226,10 @@ TEST_CASE("a wait for a chip that is worse than so ends by its limit, and is cou
   }
 }
 
-TEST_CASE("the drivers mind no chip that is mean in every way") {
+TEST_CASE("the drivers mind no chip that is strict in every way") {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     INFO("seed " << seed);
-    const BoardOptions options = mean(finemote::test::all_ways(), seed);
+    const BoardOptions options = strict(finemote::test::all_ways(), seed);
     CHECK(!vehicle_trouble("mini", options));
     CHECK(!spi_trouble("spi", options));
     CHECK(!ring_trouble("ring", options));

@@ -1,4 +1,4 @@
-// The chip that a test of drivers runs on: as its manual reads, or, where FINEMOTE_SILICON holds a seed, meaner in
+// The chip that a test of drivers runs on: as its manual reads, or, where FINEMOTE_SILICON holds a seed, strict in
 // every way.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace finemote::test {
 
-inline std::vector<emulator::Meanness> all_ways() {
-  std::vector<emulator::Meanness> ways;
-  for (const emulator::MeannessInfo& info : emulator::meannesses()) ways.push_back(info.meanness);
+inline std::vector<emulator::Strictness> all_ways() {
+  std::vector<emulator::Strictness> ways;
+  for (const emulator::StrictnessInfo& info : emulator::strictnesses()) ways.push_back(info.strictness);
   return ways;
 }
 

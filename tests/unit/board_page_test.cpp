@@ -3,7 +3,7 @@
 #include <string>
 
 #include "catch.hpp"
-#include "emulator/silicon/meanness.hpp"
+#include "emulator/silicon/strictness.hpp"
 #include "tests/page_table.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-// In what a chip may be meaner than its manual reads: each way has a name, a range and a source.
+// What a chip that uses the freedom its manual leaves is strict in: each way has a name, a range and a source.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace finemote::emulator {
 
-enum class Meanness : std::uint8_t {
+enum class Strictness : std::uint8_t {
   dma_store,    ///< NDTR is ahead of memory
   dma_flag,     ///< and both are ahead of the end-of-transfer flag
   spi_busy,     ///< BSY falls late
@@ -24,10 +24,10 @@ enum class Meanness : std::uint8_t {
   first_bytes,  ///< a receiver that is turned on hears noise
   ram_pattern,  ///< RAM holds anything at power-on
 };
-inline constexpr std::size_t kMeannesses = 13;
+inline constexpr std::size_t kStrictnesses = 13;
 
-struct MeannessInfo {
-  Meanness meanness;
+struct StrictnessInfo {
+  Strictness strictness;
   const char* name;  ///< as in `--silicon strict:NAME`
   std::uint32_t least, most;
   const char* unit;
@@ -35,13 +35,13 @@ struct MeannessInfo {
   const char* source;
 };
 
-/// All of them, in the order of Meanness.
-const std::array<MeannessInfo, kMeannesses>& meannesses();
+/// All of them, in the order of Strictness.
+const std::array<StrictnessInfo, kStrictnesses>& strictnesses();
 
-inline const MeannessInfo& info_of(Meanness way) { return meannesses()[static_cast<std::size_t>(way)]; }
+inline const StrictnessInfo& info_of(Strictness way) { return strictnesses()[static_cast<std::size_t>(way)]; }
 
 /// Null where there is none of that name.
-const MeannessInfo* find_meanness(std::string_view name);
+const StrictnessInfo* find_strictness(std::string_view name);
 
 /// The table of the page of the board.
 std::string silicon_table();
