@@ -28,9 +28,9 @@ class ComputerElement : public Element {
 };
 
 void command(ComputerElement& part, const Json& event) {
-  Orders& orders = part.model.orders;
-  orders.valid = maybe(event, "valid", orders.valid);
-  orders.value = maybe(event, "value", orders.value);
+  SentCommands& commands = part.model.commands;
+  commands.valid = maybe(event, "valid", commands.valid);
+  commands.value = maybe(event, "value", commands.value);
 }
 
 void silence(ComputerElement& part, const Json& event) { part.model.silent = is_on(event); }

@@ -25,26 +25,26 @@ void put_rounded(std::vector<std::uint8_t>& bytes, double value) {
       static_cast<std::make_unsigned_t<Integer>>(static_cast<Integer>(std::clamp(std::round(value), least, most))));
 }
 
-void put_value(std::vector<std::uint8_t>& bytes, char letter, const Orders& orders) {
+void put_value(std::vector<std::uint8_t>& bytes, char letter, const SentCommands& commands) {
   switch (letter) {
     case 'v':
-      return bytes.push_back(orders.valid ? 1 : 0);
+      return bytes.push_back(commands.valid ? 1 : 0);
     case '?':
-      return bytes.push_back(orders.value != 0 ? 1 : 0);
+      return bytes.push_back(commands.value != 0 ? 1 : 0);
     case 'B':
-      return put_rounded<std::uint8_t>(bytes, orders.value);
+      return put_rounded<std::uint8_t>(bytes, commands.value);
     case 'h':
-      return put_rounded<std::int16_t>(bytes, orders.value);
+      return put_rounded<std::int16_t>(bytes, commands.value);
     case 'H':
-      return put_rounded<std::uint16_t>(bytes, orders.value);
+      return put_rounded<std::uint16_t>(bytes, commands.value);
     case 'i':
-      return put_rounded<std::int32_t>(bytes, orders.value);
+      return put_rounded<std::int32_t>(bytes, commands.value);
     case 'I':
-      return put_rounded<std::uint32_t>(bytes, orders.value);
+      return put_rounded<std::uint32_t>(bytes, commands.value);
     case 'q':
-      return put_rounded<std::int64_t>(bytes, orders.value);
+      return put_rounded<std::int64_t>(bytes, commands.value);
     default:
-      return put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(orders.value)));
+      return put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(commands.value)));
   }
 }
 
@@ -62,9 +62,9 @@ std::uint16_t sum_of(const std::vector<std::uint8_t>& bytes, std::size_t from) {
 }  // namespace
 
 std::vector<std::uint8_t> command_frame(std::uint32_t layout, std::uint8_t sequence, const std::string& values,
-                                        const Orders& orders) {
+                                        const SentCommands& commands) {
   std::vector<std::uint8_t> payload;
-  for (const char letter : values) put_value(payload, letter, orders);
+  for (const char letter : values) put_value(payload, letter, commands);
   std::vector<std::uint8_t> frame{0xA5, 0x5A, kCommands, static_cast<std::uint8_t>(payload.size())};
   put(frame, layout);
   frame.push_back(sequence);
@@ -81,7 +81,7 @@ Computer::Computer(World& world, Usart& usart, const SerialFormat& format, Link 
 void Computer::send() {
   world_.after(period_, [this] { send(); });
   if (silent || usart_.is_receiving()) return;
-  std::vector<std::uint8_t> frame = command_frame(link_.layout, sequence_++, link_.values, orders);
+  std::vector<std::uint8_t> frame = command_frame(link_.layout, sequence_++, link_.values, commands);
   Tag sample = Tag::none;
   if (damaged_frames != 0) {
     --damaged_frames;

@@ -12,7 +12,7 @@
 namespace finemote::emulator {
 
 /// What the program wants of everything that it commands: the same number.
-struct Orders {
+struct SentCommands {
   bool valid = true;
   double value = 0;
 };
@@ -21,7 +21,7 @@ struct Orders {
 /// payload, and a sum over all but the first two.
 /// @param values  a letter for each value of the payload, as struct of Python has them; `v`: validity
 std::vector<std::uint8_t> command_frame(std::uint32_t layout, std::uint8_t sequence, const std::string& values,
-                                        const Orders& orders);
+                                        const SentCommands& commands);
 
 /// A frame that is due while the one before is still on its way is left out.
 class Computer {
@@ -33,7 +33,7 @@ class Computer {
   /// @param period  between the beginnings of two frames; the first begins after `phase`
   Computer(World& world, Usart& usart, const SerialFormat& format, Link link, Time period, Time phase);
 
-  Orders orders;
+  SentCommands commands;
   bool silent = false;
   unsigned damaged_frames = 0;  ///< the next ones have a wrong sum
   /// Told when a frame begins that is good. @return what its bytes carry
