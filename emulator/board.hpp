@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "emulator/chip/chip.hpp"
-#include "emulator/image.hpp"
-#include "emulator/loop_counts.hpp"
-#include "emulator/own_times.hpp"
+#include "emulator/core/image.hpp"
+#include "emulator/core/loop_counts.hpp"
+#include "emulator/core/own_times.hpp"
 #include "emulator/trace_reader.hpp"
 
 namespace finemote::emulator {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "emulator/chip/peripheral.hpp"
-#include "emulator/image.hpp"
+#include "emulator/core/image.hpp"
 
 namespace finemote::emulator {
 

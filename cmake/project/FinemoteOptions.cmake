@@ -54,7 +54,7 @@ function(finemote_precompiled target)
     target_include_directories(finemote_common_headers PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(finemote_common_headers PRIVATE fmt::fmt nlohmann_json::nlohmann_json Eigen3::Eigen)
     target_precompile_headers(finemote_common_headers PRIVATE <fmt/format.h> <nlohmann/json.hpp> <Eigen/Geometry> <algorithm>
-                              <filesystem> <functional> "${PROJECT_SOURCE_DIR}/emulator/outfit.hpp"
+                              <filesystem> <functional> "${PROJECT_SOURCE_DIR}/emulator/outfit/outfit.hpp"
                               "${PROJECT_SOURCE_DIR}/generator/run/run_result.hpp")
   endif()
   target_precompile_headers(${target} REUSE_FROM finemote_common_headers)

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "emulator/bus_statistics.hpp"
+#include "emulator/chip/bus_statistics.hpp"
 #include "emulator/chip/peripheral.hpp"
 
 namespace finemote::emulator {

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "emulator/bus_statistics.hpp"
+#include "emulator/chip/bus_statistics.hpp"
 #include "emulator/chip/dma.hpp"
 #include "emulator/chip/i2c_line.hpp"
 #include "emulator/chip/peripheral.hpp"

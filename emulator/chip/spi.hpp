@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "emulator/bus_statistics.hpp"
+#include "emulator/chip/bus_statistics.hpp"
 #include "emulator/chip/dma.hpp"
 #include "emulator/chip/peripheral.hpp"
 

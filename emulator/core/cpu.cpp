@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "emulator/core/factory_memory.hpp"
-#include "emulator/word_text.hpp"
+#include "emulator/core/word_text.hpp"
 
 namespace finemote::emulator {
 namespace {

@@ -9,13 +9,13 @@
 
 #include "emulator/core/cost.hpp"
 #include "emulator/core/execution_log.hpp"
+#include "emulator/core/image.hpp"
 #include "emulator/core/interpreter.hpp"
 #include "emulator/core/interrupted.hpp"
 #include "emulator/core/provenance.hpp"
 #include "emulator/core/system_space.hpp"
 #include "emulator/core/tag_flow.hpp"
 #include "emulator/event_queue.hpp"
-#include "emulator/image.hpp"
 #include "emulator/report.hpp"
 #include "emulator/silicon/silicon.hpp"
 

@@ -6,7 +6,7 @@
 #include "emulator/core/address_map.hpp"
 #include "emulator/core/bit_band.hpp"
 #include "emulator/core/cpu.hpp"
-#include "emulator/word_text.hpp"
+#include "emulator/core/word_text.hpp"
 
 namespace finemote::emulator {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "emulator/word_text.hpp"
+#include "emulator/core/word_text.hpp"
 
 namespace finemote::emulator {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 #include "emulator/plants/submerged_body.hpp"
 
 namespace finemote::emulator {

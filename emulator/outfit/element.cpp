@@ -1,6 +1,6 @@
 #include "emulator/outfit/element.hpp"
 
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 
 namespace finemote::emulator {
 

@@ -1,5 +1,5 @@
 // What a scenario can make happen at the ports and pins of the board and to the board as a whole, whatever hangs there.
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 #include "emulator/parts/foreign_node.hpp"
 #include "emulator/scenario/build.hpp"
 

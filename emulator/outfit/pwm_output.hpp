@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 
 namespace finemote::emulator {
 

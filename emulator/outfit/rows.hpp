@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 #include "emulator/scenario/build.hpp"
 
 namespace finemote::emulator {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "emulator/board.hpp"
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 
 namespace finemote::emulator {
 

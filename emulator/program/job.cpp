@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "emulator/board.hpp"
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 #include "emulator/program/audit.hpp"
 #include "emulator/program/firmware.hpp"
 #include "emulator/program/value_series.hpp"

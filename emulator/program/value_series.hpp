@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "emulator/board.hpp"
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 
 namespace finemote::emulator {
 

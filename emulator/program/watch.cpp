@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "emulator/board.hpp"
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 #include "emulator/program/board_file.hpp"
 #include "emulator/program/event_log.hpp"
 #include "emulator/program/findings.hpp"

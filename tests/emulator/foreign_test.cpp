@@ -3,7 +3,7 @@
 
 #include "catch.hpp"
 #include "emulator/board.hpp"
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 #include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;

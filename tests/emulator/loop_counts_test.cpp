@@ -1,5 +1,5 @@
 // How often loops turn, counted from outside.
-#include "emulator/loop_counts.hpp"
+#include "emulator/core/loop_counts.hpp"
 #include "catch.hpp"
 
 using namespace finemote::emulator;

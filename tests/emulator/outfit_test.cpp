@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "catch.hpp"
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 #include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "catch.hpp"
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 #include "emulator/parts/bmi088.hpp"
 #include "emulator/parts/dji_motor.hpp"
 #include "emulator/parts/ist8310.hpp"

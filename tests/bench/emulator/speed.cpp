@@ -6,7 +6,7 @@
 #include <exception>
 #include <fstream>
 
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 #include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;

@@ -1,4 +1,4 @@
-#include "emulator/image.hpp"
+#include "emulator/core/image.hpp"
 
 #include <elf.h>
 
@@ -9,8 +9,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "emulator/core/intel_hex.hpp"
 #include "emulator/core/memories.hpp"
-#include "emulator/intel_hex.hpp"
 
 namespace finemote::emulator {
 namespace {

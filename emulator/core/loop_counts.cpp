@@ -1,4 +1,4 @@
-#include "emulator/loop_counts.hpp"
+#include "emulator/core/loop_counts.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "emulator/intel_hex.hpp"
+#include "emulator/core/intel_hex.hpp"
 
 #include <charconv>
 #include <numeric>

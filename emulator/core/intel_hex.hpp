@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/image.hpp"
+#include "emulator/core/image.hpp"
 
 namespace finemote::emulator {
 

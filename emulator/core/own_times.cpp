@@ -1,4 +1,4 @@
-#include "emulator/own_times.hpp"
+#include "emulator/core/own_times.hpp"
 
 namespace finemote::emulator {
 namespace {

@@ -1,4 +1,4 @@
-#include "emulator/outfit.hpp"
+#include "emulator/outfit/outfit.hpp"
 
 #include <algorithm>
 #include <cmath>
