@@ -19,9 +19,8 @@ class H30Element : public SeatedElement {
   H30Element(Outfit& outfit, const Json& part, const std::string& name)
       : SeatedElement(outfit, part, name),
         model(outfit.board().world(), outfit.usart_of(part), format_of(part), period_of(part), phase_of(part),
-              [this](Time at) { return feel(at); }),
-        format_(format_of(part)) {
-    model.on_sample = [this] { return record_sample(now(), now() + h30_frame(0, {}).size() * format_.byte_time()); };
+              [this](Time at) { return feel(at); }) {
+    model.on_frame = [this](Time begin, Time end) { return record_sample(begin, end); };
   }
 
   H30 model;
@@ -41,8 +40,6 @@ class H30Element : public SeatedElement {
     }
     return attitude;
   }
-
-  SerialFormat format_;
 };
 
 void silence(H30Element& part, const Json& event) { part.model.silent = is_on(event); }

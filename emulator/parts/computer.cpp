@@ -74,23 +74,12 @@ std::vector<std::uint8_t> command_frame(std::uint32_t layout, std::uint8_t seque
 }
 
 Computer::Computer(World& world, Usart& usart, const SerialFormat& format, Link link, Time period, Time phase)
-    : world_(world), usart_(usart), format_(format), link_(std::move(link)), period_(period) {
-  if (!link_.values.empty()) world_.after(phase, [this] { send(); });
+    : FrameSender(world, usart, format, period), link_(std::move(link)) {
+  if (!link_.values.empty()) begin(phase);
 }
 
-void Computer::send() {
-  world_.after(period_, [this] { send(); });
-  if (silent || usart_.is_receiving()) return;
-  std::vector<std::uint8_t> frame = command_frame(link_.layout, sequence_++, link_.values, commands);
-  Tag sample = Tag::none;
-  if (damaged_frames != 0) {
-    --damaged_frames;
-    frame.back() ^= 0xFF;
-  } else if (on_frame) {
-    sample = on_frame(world_.now(), world_.now() + frame.size() * format_.byte_time());
-  }
-  ++frames_;
-  usart_.send_in(frame, format_, sample);
+std::vector<std::uint8_t> Computer::make_frame(Time /*now*/) {
+  return command_frame(link_.layout, sequence_++, link_.values, commands);
 }
 
 }  // namespace finemote::emulator

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "emulator/chip/peripheral.hpp"
-#include "emulator/chip/usart.hpp"
+#include "emulator/parts/frame_sender.hpp"
 
 namespace finemote::emulator {
 
@@ -23,8 +21,7 @@ struct SentCommands {
 std::vector<std::uint8_t> command_frame(std::uint32_t layout, std::uint8_t sequence, const std::string& values,
                                         const SentCommands& commands);
 
-/// A frame that is due while the one before is still on its way is left out.
-class Computer {
+class Computer : public FrameSender {
  public:
   struct Link {
     std::uint32_t layout = 0;
@@ -34,22 +31,12 @@ class Computer {
   Computer(World& world, Usart& usart, const SerialFormat& format, Link link, Time period, Time phase);
 
   SentCommands commands;
-  bool silent = false;
-  unsigned damaged_frames = 0;  ///< the next ones have a wrong sum
-  /// Told when a frame begins that is good. @return what its bytes carry
-  std::function<Tag(Time begin, Time end)> on_frame;
-  [[nodiscard]] unsigned frames() const { return frames_; }
 
  private:
-  void send();
+  std::vector<std::uint8_t> make_frame(Time now) override;
 
-  World& world_;
-  Usart& usart_;
-  SerialFormat format_;
   Link link_;
-  Time period_;
   std::uint8_t sequence_ = 0;
-  unsigned frames_ = 0;
 };
 
 }  // namespace finemote::emulator

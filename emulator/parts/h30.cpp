@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace finemote::emulator {
 namespace {
@@ -44,22 +45,8 @@ std::vector<std::uint8_t> h30_frame(std::uint16_t number, const Attitude& a) {
 
 H30::H30(World& world, Usart& usart, const SerialFormat& format, Time period, Time phase,
          std::function<Attitude(Time)> attitude)
-    : world_(world), usart_(usart), format_(format), period_(period), attitude_(std::move(attitude)) {
-  world_.after(phase, [this] { send(); });
-}
-
-void H30::send() {
-  world_.after(period_, [this] { send(); });
-  if (silent || usart_.is_receiving()) return;
-  std::vector<std::uint8_t> frame = h30_frame(number_++, attitude_(world_.now()));
-  Tag sample = on_sample ? on_sample() : Tag::none;
-  if (damaged_frames != 0) {
-    --damaged_frames;
-    frame.back() ^= 0xFF;
-    sample = Tag::none;
-  }
-  ++frames_;
-  usart_.send_in(frame, format_, sample);
+    : FrameSender(world, usart, format, period), attitude_(std::move(attitude)) {
+  begin(phase);
 }
 
 }  // namespace finemote::emulator

@@ -6,8 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "emulator/chip/peripheral.hpp"
-#include "emulator/chip/usart.hpp"
+#include "emulator/parts/frame_sender.hpp"
 
 namespace finemote::emulator {
 
@@ -20,29 +19,17 @@ struct Attitude {
 /// The bytes of one frame: 0x59 0x53, number, length, records, two sums.
 std::vector<std::uint8_t> h30_frame(std::uint16_t number, const Attitude& attitude);
 
-/// A frame that is due while the one before is still on its way is left out: the line is too slow for the rate.
-class H30 {
+class H30 : public FrameSender {
  public:
   /// @param period  between the beginnings of two frames; the first begins after `phase`
   H30(World& world, Usart& usart, const SerialFormat& format, Time period, Time phase,
       std::function<Attitude(Time)> attitude);
 
-  /// Asked what the bytes of a frame carry that is made and begins now.
-  std::function<Tag()> on_sample;
-  bool silent = false;          ///< sends nothing
-  unsigned damaged_frames = 0;  ///< the next ones carry a wrong sum
-  [[nodiscard]] unsigned frames() const { return frames_; }
-
  private:
-  void send();
+  std::vector<std::uint8_t> make_frame(Time now) override { return h30_frame(number_++, attitude_(now)); }
 
-  World& world_;
-  Usart& usart_;
-  SerialFormat format_;
-  Time period_;
   std::function<Attitude(Time)> attitude_;
   std::uint16_t number_ = 0;
-  unsigned frames_ = 0;
 };
 
 }  // namespace finemote::emulator
