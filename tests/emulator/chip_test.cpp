@@ -12,6 +12,21 @@ namespace {
 constexpr std::uint32_t kAhb1 = 0x40023830, kApb2 = 0x40023844, kApb1 = 0x40023840;
 constexpr std::uint32_t kTim2 = 0x40000000, kSpi1 = 0x40013000, kGpioD = 0x40020C00;
 constexpr std::uint32_t kUsart6 = 0x40011400, kDma2 = 0x40026400, kI2c2 = 0x40005800;
+constexpr std::uint32_t kUsart6Stream = kDma2 + 0x10 + 0x18;  // stream 1
+
+/// USART6 receives by DMA at 115108 bit/s: `count` bytes into `memory`.
+/// @param mode  bits of the stream beside its channel, MINC and EN
+void receive_by_dma(Bench& bench, std::uint32_t memory, std::uint32_t count, std::uint32_t mode) {
+  bench.write(kAhb1, 1U << 22);
+  bench.write(kApb2, 1U << 5);
+  bench.write(kUsart6 + 0x08, 139);
+  bench.write(kUsart6 + 0x14, 1U << 6);
+  bench.write(kUsart6Stream + 0x08, kUsart6 + 4);
+  bench.write(kUsart6Stream + 0x0C, memory);
+  bench.write(kUsart6Stream + 0x04, count);
+  bench.write(kUsart6Stream, 5U << 25 | 1U << 10 | mode | 1);
+  bench.write(kUsart6 + 0x0C, 0x2004);
+}
 
 }  // namespace
 
@@ -31,43 +46,25 @@ TEST_CASE("a register nobody models is reported") {
 
 TEST_CASE("DMA into core-coupled RAM fails with the stream's error flag") {
   Bench bench;
-  bench.write(kAhb1, 1U << 22);
-  bench.write(kApb2, 1U << 5);
-  bench.write(kUsart6 + 0x08, 139);
-  bench.write(kUsart6 + 0x14, 1U << 6);
-  const std::uint32_t stream1 = kDma2 + 0x10 + 0x18;
-  bench.write(stream1 + 0x08, kUsart6 + 4);
-  bench.write(stream1 + 0x0C, 0x10000000);
-  bench.write(stream1 + 0x04, 4);
-  bench.write(stream1, 5U << 25 | 1U << 10 | 1);
-  bench.write(kUsart6 + 0x0C, 0x2004);
+  receive_by_dma(bench, 0x10000000, 4, 0);
   bench.board.chip().usart("usart6")->send_in({0x42}, SerialFormat{115108, false, 1});
   bench.run(1'000'000);
   CHECK(bench.reported(Misuse::dma_unreachable));
   CHECK((bench.read(kDma2) >> 6 & 8) != 0);  // TEIF1
-  CHECK((bench.read(stream1) & 1) == 0);
+  CHECK((bench.read(kUsart6Stream) & 1) == 0);
 }
 
 TEST_CASE("circular DMA receives into RAM, flags half and end, and starts over") {
   Bench bench;
-  bench.write(kAhb1, 1U << 22);
-  bench.write(kApb2, 1U << 5);
-  bench.write(kUsart6 + 0x08, 139);
-  bench.write(kUsart6 + 0x14, 1U << 6);
-  const std::uint32_t stream1 = kDma2 + 0x10 + 0x18;
-  bench.write(stream1 + 0x08, kUsart6 + 4);
-  bench.write(stream1 + 0x0C, 0x20002000);
-  bench.write(stream1 + 0x04, 4);
-  bench.write(stream1, 5U << 25 | 1U << 10 | 1U << 8 | 1);
-  bench.write(kUsart6 + 0x0C, 0x2004);
+  receive_by_dma(bench, 0x20002000, 4, 1U << 8);
   Usart& usart = *bench.board.chip().usart("usart6");
   usart.send_in({1, 2}, SerialFormat{115108, false, 1});
   bench.run(1'000'000);
-  CHECK(bench.read(stream1 + 4) == 2);
+  CHECK(bench.read(kUsart6Stream + 4) == 2);
   CHECK((bench.read(kDma2) >> 6 & 0x30) == 0x10);
   usart.send_in({3, 4, 5}, SerialFormat{115108, false, 1});
   bench.run(1'000'000);
-  CHECK(bench.read(stream1 + 4) == 3);
+  CHECK(bench.read(kUsart6Stream + 4) == 3);
   CHECK((bench.read(kDma2) >> 6 & 0x30) == 0x30);
   const std::uint8_t* ram = bench.board.cpu().memory(0x20002000, 4);
   CHECK(std::vector<int>(ram, ram + 4) == std::vector<int>{5, 2, 3, 4});
@@ -78,16 +75,8 @@ TEST_CASE("a stream with two buffers fills one after the other, and says which")
   constexpr std::uint32_t kSecond = 1U << 19;  // CT
   Bench bench;
   bench.write(kAhb1, 1U << 22);
-  bench.write(kApb2, 1U << 5);
-  bench.write(kUsart6 + 0x08, 139);
-  bench.write(kUsart6 + 0x14, 1U << 6);
-  const std::uint32_t stream1 = kDma2 + 0x10 + 0x18;
-  bench.write(stream1 + 0x08, kUsart6 + 4);
-  bench.write(stream1 + 0x0C, 0x20002000);
-  bench.write(stream1 + 0x10, 0x20002100);
-  bench.write(stream1 + 0x04, 2);
-  bench.write(stream1, 5U << 25 | 1U << 18 | 1U << 10 | 1);
-  bench.write(kUsart6 + 0x0C, 0x2004);
+  bench.write(kUsart6Stream + 0x10, 0x20002100);
+  receive_by_dma(bench, 0x20002000, 2, 1U << 18);
   Usart& usart = *bench.board.chip().usart("usart6");
   const auto has = [&](std::uint32_t address, int first, int second) {
     const std::uint8_t* ram = bench.board.cpu().memory(address, 2);
@@ -96,9 +85,9 @@ TEST_CASE("a stream with two buffers fills one after the other, and says which")
   usart.send_in({1, 2}, SerialFormat{115108, false, 1});
   bench.run(1'000'000);
   CHECK(has(0x20002000, 1, 2));
-  CHECK((bench.read(stream1) & kSecond) != 0);
+  CHECK((bench.read(kUsart6Stream) & kSecond) != 0);
   CHECK((bench.read(kDma2) >> 6 & 0x20) == 0x20);  // TCIF1
-  bench.write(stream1 + 0x0C, 0x20002200);         // the one that is not in use may be moved
+  bench.write(kUsart6Stream + 0x0C, 0x20002200);   // the one that is not in use may be moved
   usart.send_in({3, 4, 5, 6}, SerialFormat{115108, false, 1});
   bench.run(1'000'000);
   CHECK(has(0x20002000, 1, 2));

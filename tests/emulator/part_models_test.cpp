@@ -13,6 +13,7 @@
 #include "emulator/plants/mount.hpp"
 #include "emulator/plants/standing_body.hpp"
 #include "emulator/plants/submerged_body.hpp"
+#include "tests/emulator/motor_line.hpp"
 
 using namespace finemote::emulator;
 
@@ -98,12 +99,8 @@ TEST_CASE("the supply's voltage limits a shaft's speed, in the direction it driv
 }
 
 TEST_CASE("a DJI motor takes its word of the group and reports angle, speed and current of the rotor") {
-  World world;
-  CanLine line(world);
-  std::vector<CanFrame> heard;
-  line.attach({{}, {}, [&](const CanFrame& frame) { heard.push_back(frame); }});
-  std::optional<CanFrame> order;
-  line.attach({[&] { return order; }, [&](const CanFrame&, CanOutcome) { order.reset(); }, {}});
+  finemote::test::MotorLine motors;
+  auto& [world, line, heard, command] = motors;
   DjiMotor::Figures f;
   f.feedback_id = 0x203;
   f.word = 2;
@@ -115,17 +112,17 @@ TEST_CASE("a DJI motor takes its word of the group and reports angle, speed and 
   DjiMotor motor(world, line, f, p);
   // Without a processor the world's clock stands: everything happens at once, in order.
   world.queue().run(from_ns(1));
-  order = CanFrame{0x200, 8, {0, 0, 0, 0, 0x20, 0x00, 0, 0}};  // 8192 of 16384: 10 A
+  command = CanFrame{0x200, 8, {0, 0, 0, 0, 0x20, 0x00, 0, 0}};  // 8192 of 16384: 10 A
   line.request();
   world.queue().run(300 * from_ns(1000));
   CHECK(motor.command() == 8192);
   CHECK(motor.current() == Approx(10));
   CHECK(motor.commands() == 1);
-  order = CanFrame{0x1FF, 8, {0, 0, 0, 0, 0x7F, 0, 0, 0}};
+  command = CanFrame{0x1FF, 8, {0, 0, 0, 0, 0x7F, 0, 0, 0}};
   line.request();
   world.queue().run(600 * from_ns(1000));
   CHECK(motor.commands() == 1);
-  REQUIRE(heard.size() == 3);  // two orders and its report
+  REQUIRE(heard.size() == 3);  // two commands and its report
   CHECK(std::count_if(heard.begin(), heard.end(), [](const CanFrame& it) { return it.id == 0x203 && it.size == 8; }) ==
         1);
   CHECK(motor.shaft().speed(10'000 * kMs) == Approx(10).epsilon(1e-3));  // 3 N m against 0.3 N m s

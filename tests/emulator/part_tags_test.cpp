@@ -1,6 +1,4 @@
 // What the models of parts make of tags: bytes of a sample carry its number, outputs tell where their bytes come from.
-#include <optional>
-
 #include "catch.hpp"
 #include "emulator/parts/bmi088.hpp"
 #include "emulator/parts/dji_motor.hpp"
@@ -9,6 +7,7 @@
 #include "emulator/parts/pca9685.hpp"
 #include "emulator/parts/register_bank.hpp"
 #include "emulator/parts/tca9548a.hpp"
+#include "tests/emulator/motor_line.hpp"
 
 using namespace finemote::emulator;
 
@@ -125,12 +124,8 @@ TEST_CASE("every output of the expander tells where the bytes of its own registe
 }
 
 TEST_CASE("a motor's report carries its sample unless it is damaged, and its command comes from its own word") {
-  World world;
-  CanLine line(world);
-  std::vector<CanFrame> heard;
-  line.attach({{}, {}, [&](const CanFrame& frame) { heard.push_back(frame); }});
-  std::optional<CanFrame> order;
-  line.attach({[&] { return order; }, [&](const CanFrame&, CanOutcome) { order.reset(); }, {}});
+  finemote::test::MotorLine motors;
+  auto& [world, line, heard, command] = motors;
   DjiMotor::Figures figures;
   figures.word = 1;
   DjiMotor motor(world, line, figures, {});
@@ -148,7 +143,7 @@ TEST_CASE("a motor's report carries its sample unless it is damaged, and its com
   REQUIRE(heard.size() == 2);
   CHECK(heard[1].tags[0] == Tag::none);
   CHECK(reports.size() == 1);
-  order = CanFrame{0x200, 8, {}, {Tag{1}, Tag{1}, Tag{9}, Tag{9}, Tag{3}, Tag{3}, Tag{12}, Tag{12}}};
+  command = CanFrame{0x200, 8, {}, {Tag{1}, Tag{1}, Tag{9}, Tag{9}, Tag{3}, Tag{3}, Tag{12}, Tag{12}}};
   line.request();
   world.queue().run(from_ns(1'900'000));
   CHECK(commands == std::vector<Tag>{Tag{9}});

@@ -65,15 +65,10 @@ TEST_CASE("an image's pins, serial buses and clocks are printed, each with its t
 }
 
 TEST_CASE("a scenario hangs parts on the buses, also ones that are nothing but registers") {
-  const std::string scenario = kImages + "/watch.json";
-  FILE* file = fopen(scenario.c_str(), "w");
-  REQUIRE(file != nullptr);
-  fputs(R"({"schema": "finemote.scenario/1",
-            "parts": [{"type": "register_bank", "name": "mux", "port": "i2c2", "address": 112}],
-            "expect": [{"part": "mux", "value": "r1", "from_ns": 19000000, "min": 0, "max": 0}]})",
-        file);
-  fclose(file);
-  const Ran ran = emulator("--image " + kImages + "/mini.elf --duration 20 --scenario " + scenario);
+  const Ran ran =
+      emulator("--image " + kImages + "/mini.elf --duration 20" + scenario("watch", R"({"schema": "finemote.scenario/1",
+    "parts": [{"type": "register_bank", "name": "mux", "port": "i2c2", "address": 112}],
+    "expect": [{"part": "mux", "value": "r1", "from_ns": 19000000, "min": 0, "max": 0}]})"));
   INFO(ran.output);
   CHECK(ran.status == 0);
   CHECK(ran.says(" i2c2 address 0xE0 ACK\n"));
@@ -81,26 +76,18 @@ TEST_CASE("a scenario hangs parts on the buses, also ones that are nothing but r
 }
 
 TEST_CASE("the run lasts at least until the last event") {
-  const std::string scenario = kImages + "/late.json";
-  FILE* file = fopen(scenario.c_str(), "w");
-  REQUIRE(file != nullptr);
-  fputs(R"({"schema": "finemote.scenario/1", "events": [{"t_ns": 50000000, "pin": "PA0", "do": "low"}]})", file);
-  fclose(file);
-  const Ran ran = emulator("--image " + kImages + "/mini.elf --duration 20 --scenario " + scenario);
+  const Ran ran =
+      emulator("--image " + kImages + "/mini.elf --duration 20" + scenario("late", R"({"schema": "finemote.scenario/1",
+    "events": [{"t_ns": 50000000, "pin": "PA0", "do": "low"}]})"));
   INFO(ran.output);
   CHECK(ran.status == 0);
   CHECK(ran.says("# the time is over at 50"));
 }
 
 TEST_CASE("a scenario with mistakes is refused at their words, before the image runs") {
-  const std::string scenario = kImages + "/wrong.json";
-  FILE* file = fopen(scenario.c_str(), "w");
-  REQUIRE(file != nullptr);
-  fputs(
-      "{\"schema\": \"finemote.scenario/1\",\n \"events\": [{\"t_ns\": 1, \"port\": \"usart9\", \"do\": \"silent\"}]}",
-      file);
-  fclose(file);
-  const Ran ran = emulator("--image " + kImages + "/mini.elf --duration 20 --scenario " + scenario);
+  const Ran ran =
+      emulator("--image " + kImages + "/mini.elf --duration 20" + scenario("wrong", R"({"schema": "finemote.scenario/1",
+ "events": [{"t_ns": 1, "port": "usart9", "do": "silent"}]})"));
   INFO(ran.output);
   CHECK(ran.status == 2);
   CHECK(ran.says("wrong.json:2:33: error[FM6007]: the board has no port 'usart9'"));

@@ -1,6 +1,5 @@
 // Pictures of connectors, and what a board file says of their contacts.
 #include <algorithm>
-#include <regex>
 
 #include "catch.hpp"
 #include "generator/descriptor/library.hpp"
@@ -8,13 +7,14 @@
 #include "generator/document/connector_picture.hpp"
 #include "generator/document/contact_use.hpp"
 #include "source_dir.hpp"
+#include "unit/svg_shapes.hpp"
 
 using namespace finemote::gen;
+using namespace finemote::test;
 
 namespace {
 
-constexpr double kWidestCharacter = 0.61 * 13;  // of DejaVu Sans Mono and Menlo at 13 px
-constexpr int kNarrowScreen = 358;              // of 390 px, less the margins of a page
+constexpr int kNarrowScreen = 358;  // of 390 px, less the margins of a page
 
 struct Shelf {
   Sources sources;
@@ -23,38 +23,8 @@ struct Shelf {
   const Board& board(const char* name) { return *find_board(*library, name, sources, diagnostics); }
 };
 
-struct Box {
-  int x, y, width, height;
-
-  [[nodiscard]] bool overlaps(const Box& other) const {
-    return x < other.x + other.width && other.x < x + width && y < other.y + other.height && other.y < y + height;
-  }
-};
-
-struct Text {
-  int x, y;
-  std::string text;
-};
-
-std::vector<std::smatch> matches(const std::string& svg, const std::regex& pattern) {
-  return {std::sregex_iterator(svg.begin(), svg.end(), pattern), std::sregex_iterator()};
-}
-
 /// Of the contacts, without the frame around them.
-std::vector<Box> boxes_of(const std::string& svg) {
-  static const std::regex pattern(R"re(<rect class="(?!body)\w+" x="(\d+)" y="(\d+)" width="(\d+)" height="(\d+)")re");
-  std::vector<Box> boxes;
-  for (const std::smatch& m : matches(svg, pattern))
-    boxes.push_back({std::stoi(m[1]), std::stoi(m[2]), std::stoi(m[3]), std::stoi(m[4])});
-  return boxes;
-}
-
-std::vector<Text> texts_of(const std::string& svg) {
-  static const std::regex pattern(R"re(<text[^>]*x="(\d+)" y="(\d+)">([^<]*)</text>)re");
-  std::vector<Text> texts;
-  for (const std::smatch& m : matches(svg, pattern)) texts.push_back({std::stoi(m[1]), std::stoi(m[2]), m[3]});
-  return texts;
-}
+std::vector<Box> contact_boxes(const std::string& svg) { return boxes_of(svg, "(?!body)"); }
 
 bool is_inside(const Text& text, const Box& box) {
   const double end = text.x + kWidestCharacter * static_cast<double>(text.text.size());
@@ -71,7 +41,7 @@ TEST_CASE(
   for (const char* name : {"robomaster_type_c", "stm32f4_discovery"}) {
     for (const Picture& picture : connector_pictures(shelf.board(name))) {
       INFO(name << ' ' << picture.name);
-      const auto boxes = boxes_of(picture.svg);
+      const auto boxes = contact_boxes(picture.svg);
       REQUIRE_FALSE(boxes.empty());
       for (std::size_t i = 0; i < boxes.size(); ++i) {
         CHECK(boxes[i].x + boxes[i].width <= kNarrowScreen);

@@ -8,50 +8,12 @@
 #include "generator/graph/forest_text.hpp"
 #include "generator/xml/parse.hpp"
 #include "unit/robot_plan.hpp"
+#include "unit/svg_shapes.hpp"
 
 using namespace finemote::gen;
+using namespace finemote::test;
 
 namespace {
-
-constexpr double kWidestCharacter = 0.61 * 13;  // of DejaVu Sans Mono and Menlo at 13 px
-
-struct Box {
-  std::string look;
-  int x, y, width, height;
-
-  [[nodiscard]] bool overlaps(const Box& other) const {
-    return x < other.x + other.width && other.x < x + width && y < other.y + other.height && other.y < y + height;
-  }
-};
-
-struct Text {
-  int x, y;
-  std::string text;
-
-  [[nodiscard]] Box box() const {
-    return {"text", x, y - 11, static_cast<int>(kWidestCharacter * static_cast<double>(text.size())) + 1, 14};
-  }
-};
-
-std::vector<std::smatch> matches(const std::string& svg, const std::regex& pattern) {
-  return {std::sregex_iterator(svg.begin(), svg.end(), pattern), std::sregex_iterator()};
-}
-
-std::vector<Box> boxes_of(const std::string& svg, const std::string& look) {
-  const std::regex pattern("<rect class=\"(" + look +
-                           R"re([^"]*)" x="(\d+)" y="(\d+)" width="(\d+)" height="(\d+)")re");
-  std::vector<Box> boxes;
-  for (const std::smatch& m : matches(svg, pattern))
-    boxes.push_back({m[1], std::stoi(m[2]), std::stoi(m[3]), std::stoi(m[4]), std::stoi(m[5])});
-  return boxes;
-}
-
-std::vector<Text> texts_of(const std::string& svg) {
-  static const std::regex pattern(R"re(<text[^>]*x="(\d+)" y="(\d+)">([^<]*)</text>)re");
-  std::vector<Text> texts;
-  for (const std::smatch& m : matches(svg, pattern)) texts.push_back({std::stoi(m[1]), std::stoi(m[2]), m[3]});
-  return texts;
-}
 
 int width_of(const std::string& svg) {
   std::smatch found;
