@@ -110,9 +110,10 @@ void find_missing_wcet(const CheckedDevice& checked, Findings& findings) {
       .note(
           fmt::format("update {} and handle {} are assumed; every bound that depends on them says so", update, handle))
       .hint("let finemote wcet compute bounds of all stages from the image, in a timing file beside the robot")
-      .hint(fmt::format("or add <wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> if it keeps to that; finemote run "
-                        "prints the element with source=\"measured\"",
-                        update, handle));
+      .hint(
+          fmt::format("or add <wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> if it keeps to that; finemote run "
+                      "prints the element with source=\"measured\"",
+                      update, handle));
 }
 
 std::string offered_period(const CheckedDevice& checked, Duration conversion) {

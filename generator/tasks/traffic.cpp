@@ -22,6 +22,11 @@ struct Unit {
   bool reads = false, writes = false;
 };
 
+/// It answers the frame that its device fills together with others.
+bool is_reply(const gen::Device& device, const Frame& frame, const WireRate& rate) {
+  return bus_type(rate.kind).is_arbitrated && frame.write_bytes == 0 && frame.read_bytes > 0 && shared_frame_of(device);
+}
+
 /// In the order of their stages' names: frames of one unit of one stage together, those of unit 0 alone.
 std::vector<Unit> units_of(const Robot& robot, const gen::Device& device, const std::vector<Frame>& frames,
                            const WireRate& rate) {
@@ -32,6 +37,8 @@ std::vector<Unit> units_of(const Robot& robot, const gen::Device& device, const 
     unit.stage = frame.stage;
     if (frame.stage == FrameStage::autonomous)
       unit.use.add_sent(rate, std::max(frame.write_bytes, frame.read_bytes));
+    else if (is_reply(device, frame, rate))
+      unit.use.add_reply(rate, frame.read_bytes);
     else
       unit.use.add(rate, frame.write_bytes, frame.read_bytes);
     unit.reads = unit.reads || frame.read_bytes > 0;

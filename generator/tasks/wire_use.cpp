@@ -16,4 +16,11 @@ void WireUse::add(const WireRate& rate, std::int64_t write, std::int64_t read, b
   interrupts = gen::add(interrupts, gen::add(unit.steps, unit.ends));
 }
 
+void WireUse::add_reply(const WireRate& rate, std::int64_t bytes) {
+  WireUse reply;
+  reply.add_sent(rate, bytes);
+  wire += reply.wire;
+  answers = gen::add(answers, reply.ends);
+}
+
 }  // namespace finemote::gen::timing

@@ -28,6 +28,8 @@ struct WireUse {
   void add(const WireRate& rate, std::int64_t write, std::int64_t read) { add(rate, write, read, true); }
   /// What a part sends by itself. Throws Overflow.
   void add_sent(const WireRate& rate, std::int64_t bytes) { add(rate, 0, bytes, false); }
+  /// What a part answers to a frame that is counted elsewhere. Throws Overflow.
+  void add_reply(const WireRate& rate, std::int64_t bytes);
 
  private:
   void add(const WireRate& rate, std::int64_t write, std::int64_t read, bool is_asked_for);
