@@ -108,16 +108,12 @@ void FinsRov::take_depth(float depth, Time origin) {
 // ---------------------------------------------------------------------------------------------------------------
 // orders
 
-/// One that sets all thrusters is the last of its update. Returns whether one of them asks for the pressures.
+/// Whether one of them asks for the pressures.
 bool FinsRov::take_orders(Time at) {
   if (!orders_.receive(*host_)) return false;
   FinsRovOrder order;
   bool is_asked = false;
   for (unsigned left = FinsRovHost::kMostOrders; left != 0 && orders_.next(order); --left) {
-    if (order.verb == FinsRovOrder::Verb::kTest) {
-      test(order, at);
-      break;
-    }
     obey(order, at);
     is_asked = is_asked || order.verb == FinsRovOrder::Verb::kValues;
   }
@@ -169,9 +165,10 @@ void FinsRov::obey(const FinsRovOrder& order, Time at) {
     case Verb::kReportOff:
       reporting_ = false;
       return;
+    case Verb::kTest:
+      return test(order, at);
     case Verb::kCalibrate:
       return set_surface(at);
-    case Verb::kTest:
     case Verb::kValues:
     case Verb::kServos:
     case Verb::kNothing:

@@ -74,19 +74,19 @@ namespace {
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
     {0, 579248, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1055234, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1052534, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1049768, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1047068, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1044368, 31442204, &rov::thruster_1.command},  // thruster_1
-    {1, 1039743, 31437640, &rov::thruster_2.command},  // thruster_2
-    {1, 1027150, 31430687, &rov::thruster_3.command},  // thruster_3
-    {1, 1022592, 31426128, &rov::thruster_4.command},  // thruster_4
-    {1, 1017961, 31421498, &rov::thruster_5.command},  // thruster_5
-    {1, 1011074, 31414611, &rov::thruster_6.command},  // thruster_6
-    {1, 1006450, 31409987, &rov::thruster_7.command},  // thruster_7
-    {1, 1001892, 31399931, &rov::thruster_8.command},  // thruster_8
-    {1, 997267, finemote::kNothingToBound, nullptr},  // rov
+    {1, 1108637, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1105937, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1100836, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1098135, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1095435, 31498972, &rov::thruster_1.command},  // thruster_1
+    {1, 1090811, 31494348, &rov::thruster_2.command},  // thruster_2
+    {1, 1086253, 31484293, &rov::thruster_3.command},  // thruster_3
+    {1, 1079293, 31477333, &rov::thruster_4.command},  // thruster_4
+    {1, 1074729, 31472769, &rov::thruster_5.command},  // thruster_5
+    {1, 1070111, 31468151, &rov::thruster_6.command},  // thruster_6
+    {1, 1065553, 31463389, &rov::thruster_7.command},  // thruster_7
+    {1, 1060929, 31458831, &rov::thruster_8.command},  // thruster_8
+    {1, 1054035, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

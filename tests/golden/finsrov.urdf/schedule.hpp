@@ -13,7 +13,7 @@ namespace FinsROV {
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.03 ms of its release.
+/// a job ends within 1.089 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -23,19 +23,19 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds imu{573848, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{984530, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{984530, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{984530, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{984530, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{984530, 31383704, 35637554};
-inline constexpr finemote::Bounds thruster_2{982672, 31379511, 35635219};
-inline constexpr finemote::Bounds thruster_3{980814, 31377587, 35635153};
-inline constexpr finemote::Bounds thruster_4{978955, 31375729, 35637489};
-inline constexpr finemote::Bounds thruster_5{977091, 31373865, 35637555};
-inline constexpr finemote::Bounds thruster_6{975173, 31371941, 35658036};
-inline constexpr finemote::Bounds thruster_7{973315, 31370017, 35657970};
-inline constexpr finemote::Bounds thruster_8{971457, 31368159, 35657970};
-inline constexpr finemote::Bounds rov{967264, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1043633, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1043633, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1043633, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1043633, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1043633, 31440335, 35694185};
+inline constexpr finemote::Bounds thruster_2{1041775, 31438477, 35694185};
+inline constexpr finemote::Bounds thruster_3{1039850, 31436618, 35694184};
+inline constexpr finemote::Bounds thruster_4{1030023, 31434694, 35696454};
+inline constexpr finemote::Bounds thruster_5{1028093, 31432830, 35696520};
+inline constexpr finemote::Bounds thruster_6{1026241, 31430978, 35717073};
+inline constexpr finemote::Bounds thruster_7{1024383, 31429048, 35717001};
+inline constexpr finemote::Bounds thruster_8{1022525, 31427190, 35717001};
+inline constexpr finemote::Bounds rov{1020667, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -49,7 +49,7 @@ class FinsRovHost {
   /// Orders that one update() should obey.
   static constexpr unsigned kMostOrders = 8;
   /// Words, numbers and spaces that one receive() takes.
-  static constexpr unsigned kMostPieces = 16;
+  static constexpr unsigned kMostPieces = 32;
 
   /// Takes what has arrived. True while orders of a good message are left: next() then gives them.
   bool receive(Uart& uart);

@@ -23,57 +23,57 @@ namespace FinsROV::rov {
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_uart};
 
 /// baro_1: ms5837 on 'segment_0' at 0x76, every 10 ms
-/// response <= 984.53 us
+/// response <= 1.044 ms
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_1{finemote::Ms5837::Config{}, slots::baro_1};
 
 /// baro_2: ms5837 on 'segment_1' at 0x76, every 10 ms
-/// response <= 984.53 us
+/// response <= 1.044 ms
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_2{finemote::Ms5837::Config{}, slots::baro_2};
 
 /// baro_3: ms5837 on 'segment_2' at 0x76, every 10 ms
-/// response <= 984.53 us
+/// response <= 1.044 ms
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_3{finemote::Ms5837::Config{}, slots::baro_3};
 
 /// baro_4: ms5837 on 'segment_3' at 0x76, every 10 ms
-/// response <= 984.53 us
+/// response <= 1.044 ms
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{finemote::Ms5837::Config{}, slots::baro_4};
 
 /// thruster_1: pwm_esc on 'pwm' channel 0, every 10 ms
-/// response <= 984.53 us; data age <= 31.384 ms when handle() ends, <= 35.638 ms at the output (oldest: baro_1)
+/// response <= 1.044 ms; data age <= 31.441 ms when handle() ends, <= 35.695 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 0}};
 
 /// thruster_2: pwm_esc on 'pwm' channel 1, every 10 ms
-/// response <= 982.672 us; data age <= 31.38 ms when handle() ends, <= 35.636 ms at the output (oldest: baro_1)
+/// response <= 1.042 ms; data age <= 31.439 ms when handle() ends, <= 35.695 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 1}};
 
 /// thruster_3: pwm_esc on 'pwm' channel 2, every 10 ms
-/// response <= 980.814 us; data age <= 31.378 ms when handle() ends, <= 35.636 ms at the output (oldest: baro_1)
+/// response <= 1.04 ms; data age <= 31.437 ms when handle() ends, <= 35.695 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 2}};
 
 /// thruster_4: pwm_esc on 'pwm' channel 3, every 10 ms
-/// response <= 978.955 us; data age <= 31.376 ms when handle() ends, <= 35.638 ms at the output (oldest: baro_1)
+/// response <= 1.031 ms; data age <= 31.435 ms when handle() ends, <= 35.697 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 3}};
 
 /// thruster_5: pwm_esc on 'pwm' channel 4, every 10 ms
-/// response <= 977.091 us; data age <= 31.374 ms when handle() ends, <= 35.638 ms at the output (oldest: baro_1)
+/// response <= 1.029 ms; data age <= 31.433 ms when handle() ends, <= 35.697 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 4}};
 
 /// thruster_6: pwm_esc on 'pwm' channel 5, every 10 ms
-/// response <= 975.173 us; data age <= 31.372 ms when handle() ends, <= 35.659 ms at the output (oldest: baro_2)
+/// response <= 1.027 ms; data age <= 31.431 ms when handle() ends, <= 35.718 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
-/// response <= 973.315 us; data age <= 31.371 ms when handle() ends, <= 35.658 ms at the output (oldest: baro_2)
+/// response <= 1.025 ms; data age <= 31.43 ms when handle() ends, <= 35.718 ms at the output (oldest: baro_3)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
-/// response <= 971.457 us; data age <= 31.369 ms when handle() ends, <= 35.658 ms at the output (oldest: baro_2)
+/// response <= 1.023 ms; data age <= 31.428 ms when handle() ends, <= 35.718 ms at the output (oldest: baro_3)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 7}};
@@ -101,7 +101,7 @@ inline constexpr finemote::Port<finemote::Thruster> rov_thrusters[] = {
 }  // namespace ports
 
 /// rov: finsrov, every 10 ms
-/// response <= 967.264 us
+/// response <= 1.021 ms
 FINEMOTE_CONSTINIT inline finemote::FinsRov rov{
     finemote::FinsRov::Config{},
     constants::rov_allocation,
