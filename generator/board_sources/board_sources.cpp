@@ -151,40 +151,26 @@ Data resting_pins(const Board& board) {
   return data;
 }
 
-/// The header below runtime/boards/host/ports that has a class's recorder.
-const char* host_header(PortClass kind) {
-  switch (kind) {
-    case PortClass::uart:
-      return "uart_wire.hpp";
-    case PortClass::can:
-      return "can_wire.hpp";
-    case PortClass::i2c:
-      return "i2c_wire.hpp";
-    case PortClass::spi:
-      return "spi_wire.hpp";
-    case PortClass::pwm:
-    case PortClass::edge:
-    case PortClass::adc:
-      return "pins.hpp";
-  }
-  throw std::logic_error("no class of ports");
-}
+/// Where a class of ports is below runtime/boards/<board>/ports.
+struct PortHeaders {
+  const char* host;      ///< its recorder, of board host
+  const char* stand_in;  ///< what other boards have, without its ending
+};
 
-/// The header below runtime/boards/<board>/ports that has a class's stand-in, without its ending.
-const char* stand_in_header(PortClass kind) {
+PortHeaders headers_of(PortClass kind) {
   switch (kind) {
     case PortClass::uart:
-      return "uart";
+      return {"uart_wire.hpp", "uart"};
     case PortClass::can:
-      return "can";
+      return {"can_wire.hpp", "can"};
     case PortClass::i2c:
-      return "i2c";
+      return {"i2c_wire.hpp", "i2c"};
     case PortClass::spi:
-      return "spi";
+      return {"spi_wire.hpp", "spi"};
     case PortClass::pwm:
     case PortClass::edge:
     case PortClass::adc:
-      return "outputs";
+      return {"pins.hpp", "outputs"};
   }
   throw std::logic_error("no class of ports");
 }
@@ -251,7 +237,7 @@ class SourceFiles {
       port.set("class", fmt::format("{}Port", class_name(object.kind)));
       port.set("name", object.name);
       ports.push_back(port);
-      seen.emplace_back(host_header(object.kind));
+      seen.emplace_back(headers_of(object.kind).host);
     }
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
@@ -268,7 +254,7 @@ class SourceFiles {
       Data data;
       data.set("name", object.name);
       data.set("source", object.board);
-      data.set("kind", stand_in_header(object.kind));
+      data.set("kind", headers_of(object.kind).stand_in);
       data.set("class", fmt::format("{}Port", class_name(object.kind)));
       data.set("hardware", fmt::format("{}Hardware", class_name(object.kind)));
       data.set("has_line", has_line);

@@ -10,12 +10,12 @@ namespace {
 /// address goes out alone.
 WireUnit i2c_unit(const BusExchange& exchange) {
   WireUnit total{2, 0, 1};
-  const bool is_address_alone = exchange.write == 0 && exchange.read == 0;
-  for (const std::int64_t bytes : {exchange.write, exchange.read}) {
-    if (bytes == 0 && !(is_address_alone && total.steps == 0)) continue;
+  const auto add_message = [&](std::int64_t bytes) {
     total.bits = add(total.bits, add(1 + 9, multiply(9, bytes)));
     total.steps = add(total.steps, add(2, bytes));
-  }
+  };
+  if (exchange.write > 0 || exchange.read == 0) add_message(exchange.write);
+  if (exchange.read > 0) add_message(exchange.read);
   return total;
 }
 

@@ -93,8 +93,8 @@ Traffic::Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId,
 
 void Traffic::add_device(const gen::Device& device, Rank place) {
   for (const Connection& connection : connections_of(device)) add_frames(device, connection, place);
-  if (device.type != nullptr) mark_late_commands(device, place);
-  if (device.type != nullptr) add_own_lines(device, place);
+  mark_late_commands(device, place);
+  add_own_lines(device, place);
 }
 
 void Traffic::add_frames(const gen::Device& device, const Connection& connection, Rank place) {

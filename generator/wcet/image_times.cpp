@@ -61,9 +61,7 @@ class Timing {
     const auto path = longest_path(walked.graph);
     const std::string doubt =
         path ? check_certificate(walked.graph, path->potentials, path->bound) : "no way leads out";
-    if (!doubt.empty()) {
-      return add(TimeGap{vector.entry, name_of(prepared_.program().at(vector.entry)), doubt});
-    }
+    if (!doubt.empty()) return add(TimeGap{vector.entry, name_of(prepared_.program().at(vector.entry)), doubt});
     RoutineTime routine{
         vector.exception, name_of(prepared_.program().at(vector.entry)), path->bound, {}, {}, {}, {}, {}, {}};
     routine.path = steps_of(walked.graph, *path, path->bound);

@@ -27,7 +27,8 @@ class ToolFailed(Exception):
 
 
 class Tool:
-    """Calls of one worker, each of which raises ToolFailed where the program crashes. Its folder is kept from robot to robot: the runtime is compiled once, a robot's own code anew."""
+    """Calls of one worker, each of which raises ToolFailed where the program crashes. Its folder is kept from robot to robot:
+    the runtime is compiled once, a robot's own code anew."""
 
     def __init__(self, path, folder, devices=robots.DEVICES, is_slowest=False):
         """devices: folder of the users' device types."""
