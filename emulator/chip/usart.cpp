@@ -36,7 +36,7 @@ SerialFormat Usart::format() const {
 }
 
 BusStatistics Usart::statistics() const {
-  return BusStatistics{bursts_, in_bytes_ + out_bytes_, errors_, in_busy_ > out_busy_ ? in_busy_ : out_busy_};
+  return BusStatistics{bursts_, in_bytes_ + out_bytes_, errors_, out_busy_, in_busy_};
 }
 
 void Usart::update() {

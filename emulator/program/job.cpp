@@ -11,6 +11,7 @@
 #include "emulator/outfit/outfit.hpp"
 #include "emulator/program/audit.hpp"
 #include "emulator/program/firmware.hpp"
+#include "emulator/program/traffic_count.hpp"
 #include "emulator/program/value_series.hpp"
 
 namespace finemote::emulator {
@@ -168,7 +169,8 @@ Json buses_of(Board& board, const Json& ports) {
   Json all = Json::array();
   for (const Json& port : ports) {
     const BusStatistics bus = board.bus(port.get<std::string>());
-    const double busy = static_cast<double>(to_ns(bus.busy)) / static_cast<double>(board.now_ns());
+    const std::uint64_t busier = to_ns(std::max(bus.busy, bus.received));
+    const double busy = static_cast<double>(busier) / static_cast<double>(board.now_ns());
     all.push_back({{"transfers", bus.transfers}, {"errors", bus.errors}, {"busy", std::min(busy, 1.0)}});
   }
   return all;
@@ -266,9 +268,11 @@ Json run(Bench& bench, const Json& job) {
                                           job.at("last_event_ns").get<std::int64_t>());
   Stop stop = Stop::time;
   std::optional<ValueSeries> series;
+  std::optional<TrafficCount> traffic;
   if (ready) {
     const std::int64_t end = *zero + judged_to + 1;  // what is due at the last moment happens
     series.emplace(board, outfit, static_cast<std::int64_t>(board.now_ns()), end);
+    traffic.emplace(board, job.at("ports").get<std::vector<std::string>>());
     const std::int64_t rest = end - static_cast<std::int64_t>(board.now_ns());
     if (rest > 0) stop = board.run_for(static_cast<std::uint64_t>(rest));
   }
@@ -294,6 +298,7 @@ Json run(Bench& bench, const Json& job) {
           {"expectations", expectations_of(outfit)},
           {"series", series->document(*zero)},
           {"buses", buses_of(board, job.at("ports"))},
+          {"traffic", traffic->document()},
           {"own_stages", own_times_of(board.own_times().brackets(), 0, kFirstWork)},
           {"own_works", own_times_of(board.own_times().brackets(), kFirstWork, kNoBracket)},
           {"own_exceptions", own_times_of(board.own_times().exceptions(), 0, kNoBracket)},

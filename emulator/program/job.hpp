@@ -38,6 +38,7 @@
 // - `expectations`: `part`, `value`, `from_ns`, `to_ns`, `min`, `max`; seen: `lowest`, `highest`, `finite`; `ok`
 // - `series`: values of the parts over time (emulator/program/value_series.hpp)
 // - `buses`: of each of `ports` the `transfers`, `errors`, and the share of time that it was `busy`
+// - `traffic`: what they carried from then on, when the bring-up was over (emulator/program/traffic_count.hpp)
 // - `own_stages`: `[stage, longest in ps, runs]`
 // - `own_works`: the same of marks that are no stages'
 // - `own_exceptions`: the same of exceptions

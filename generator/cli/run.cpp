@@ -347,6 +347,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged) && declared_hold;
   result.loops = std::move(watched.loops);
   result.loops_hold = check_loops(result.loops, result.record.loop_passes, judged);
+  result.traffic_holds = !result.record.violated.empty() || check_traffic(robot, result.figures.traffic, judged);
   result.must_judge = setup->is_emulated();
   result.wcets = measured_wcets(robot, result.record);
   result.order = judge_order(robot, planned->schedule, result.record);

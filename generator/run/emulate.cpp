@@ -201,6 +201,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   warn_of_misuse(json, diagnostics);
   RunRecord record = read_record(json, robot, forest);
   record.silent = parts.silent;
+  record.has_events = options.scenario != nullptr;
   record.clock_ppm = clock_ppm;
   record.flash = flash;
   record.silicon = options.silicon;

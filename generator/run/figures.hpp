@@ -7,6 +7,7 @@
 #include "generator/run/chains.hpp"
 #include "generator/run/claims.hpp"
 #include "generator/run/responses.hpp"
+#include "generator/run/traffic.hpp"
 
 namespace finemote::gen {
 
@@ -15,6 +16,7 @@ struct RunFigures {
   std::vector<MeasuredChain> chains;
   std::vector<MeasuredResponse> responses;  ///< empty where nothing is held to bounds
   std::vector<MeasuredClaim> claims;        ///< the same
+  std::vector<MeasuredTraffic> traffic;     ///< the same
 };
 
 /// Of one run, from the end of its bring-up on.

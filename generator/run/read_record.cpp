@@ -1,6 +1,9 @@
 #include "generator/run/read_record.hpp"
 
+#include <algorithm>
+
 #include "generator/forest/stage.hpp"
+#include "generator/image/exception.hpp"
 #include "generator/run/repeated_outputs.hpp"
 #include "generator/run/violation.hpp"
 
@@ -97,13 +100,36 @@ std::vector<LoggedEvent> log_of(const Json& audit) {
   return log;
 }
 
+/// How often the service routines of a port ran.
+std::int64_t runs_of(const Json& exceptions, const Port& port) {
+  std::int64_t runs = 0;
+  for (const Json& exception : exceptions) {
+    const auto is_own = [&](const InterruptLine& line) {
+      return exception.at(0) == exception_of(static_cast<std::uint32_t>(line.number));
+    };
+    if (std::any_of(port.interrupts.begin(), port.interrupts.end(), is_own))
+      runs += exception.at(1).get<std::int64_t>();
+  }
+  return runs;
+}
+
+/// Of the bus that has a port, and comes in this place of those.
+BusTraffic traffic_of(const Json& record, std::size_t place, const Port* port) {
+  const Json& traffic = record.at("traffic");
+  const Json& lines = traffic.at("ports").at(place);
+  return {time_of(traffic.at("ns")), time_of(lines.at(0)), time_of(lines.at(1)),
+          port != nullptr ? runs_of(traffic.at("exceptions"), *port) : 0};
+}
+
 /// Of the buses with a port, in their order.
 std::vector<BusRecord> buses_of(const Json& record, const Robot& robot) {
   std::vector<BusRecord> buses;
   for (const BusId id : robot.buses.ids()) {
     if (robot.buses[id].port.empty()) continue;
     const Json& bus = record.at("buses").at(buses.size());
-    buses.push_back({id, bus.at("transfers"), bus.at("errors"), bus.at("busy")});
+    const Port* port = robot.board != nullptr ? robot.board->port(robot.buses[id].port) : nullptr;
+    buses.push_back(
+        {id, bus.at("transfers"), bus.at("errors"), bus.at("busy"), traffic_of(record, buses.size(), port)});
   }
   return buses;
 }

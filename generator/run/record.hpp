@@ -32,10 +32,18 @@ struct OwnTime {
   Duration longest;
 };
 
+/// What a bus did from the end of the bring-up on.
+struct BusTraffic {
+  Duration window;              ///< for so long
+  Duration sent, received;      ///< how long its lines were in use; a bus with one line: `sent`
+  std::int64_t interrupts = 0;  ///< runs of its service routines
+};
+
 struct BusRecord {
   BusId bus;
   std::uint64_t transfers = 0, errors = 0;
-  double busy = 0;  ///< fraction of the run, 0..1
+  double busy = 0;                                   ///< fraction of the run, 0..1
+  std::optional<BusTraffic> traffic = std::nullopt;  ///< emulated board only
 };
 
 /// Something a part did, by which the ends of a chain are measured.
@@ -120,6 +128,7 @@ struct RunRecord {
   std::string flash;                            ///< hit or miss: how the emulated board counted fetches
   SiliconChoice silicon;                        ///< which freedom of its manual the emulated chip used
   std::vector<Violation> violated;              ///< by the scenario: bounds that rest on them need not hold
+  bool has_events = false;                      ///< a scenario made things happen, so lines may bring anything
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
   std::vector<FaultCount> faults;               ///< in the order of their first times
   std::vector<FaultCount> late_faults;          ///< of these, counted after the bring-up

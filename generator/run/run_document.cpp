@@ -156,6 +156,25 @@ Json fault_list(const RunResult& result, const std::vector<FaultCount>& faults) 
   return list;
 }
 
+template <class Amount, class Number>
+void add_declared(Json& entry, const std::string& name, const Declared<Amount>& amount, const Number& number) {
+  entry[name] = number(amount.seen);
+  entry["most_" + name] = amount.most ? Json(number(*amount.most)) : Json(nullptr);
+}
+
+/// Null where nobody looked at it.
+Json traffic_json(const std::vector<MeasuredTraffic>& all, BusId bus) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const MeasuredTraffic& t) { return t.bus == bus; });
+  if (found == all.end()) return nullptr;
+  const auto ns = [](Duration duration) { return duration.ns(); };
+  Json entry{{"window_ns", found->window.ns()}};
+  add_declared(entry, "sent_ns", found->sent, ns);
+  if (found->received) add_declared(entry, "received_ns", *found->received, ns);
+  add_declared(entry, "interrupts", found->interrupts, [](std::int64_t count) { return count; });
+  entry["judged"] = judgement_name(found->judged());
+  return entry;
+}
+
 Json bus_list(const RunResult& result) {
   Json list = Json::array();
   for (const BusRecord& bus : result.record.buses) {
@@ -163,7 +182,8 @@ Json bus_list(const RunResult& result) {
     list.push_back({{"name", result.robot.buses[bus.bus].name.text},
                     {"transfers", bus.transfers},
                     {"errors", bus.errors},
-                    {"busy", bus.busy}});
+                    {"busy", bus.busy},
+                    {"traffic", traffic_json(result.figures.traffic, bus.bus)}});
   }
   return list;
 }

@@ -94,8 +94,8 @@ bool RunResult::good() const {
       std::all_of(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return e.ok; });
   if (must_judge && !is_judged()) return false;
   if (order.mistake || !unexplained_faults().empty()) return false;
-  return overruns() == 0 && record.resets == 0 && wcets_hold && loops_hold && as_expected && bounds_hold() &&
-         claims_hold();
+  return overruns() == 0 && record.resets == 0 && wcets_hold && loops_hold && traffic_holds && as_expected &&
+         bounds_hold() && claims_hold();
 }
 
 const std::string& name_of(const RunResult& result, DeviceId device) { return result.robot.devices[device].name.text; }

@@ -30,6 +30,7 @@ struct RunResult {
   bool wcets_hold = true;                          ///< no stage took longer by itself than its WCET
   std::vector<ToldLoop> loops = {};                ///< of the image
   bool loops_hold = true;                          ///< none turned more often than its mark says
+  bool traffic_holds = true;                       ///< no bus carried more than is declared
   std::vector<MeasuredWcet> wcets = {};            ///< of devices whose execution times are assumed
   OrderVerdict order = {};
   bool must_judge = false;             ///< on a board where bounds are measured
@@ -48,7 +49,8 @@ struct RunResult {
   /// Faults counted after the bring-up that nothing explains: no scenario, and no part that is not there.
   [[nodiscard]] std::vector<FaultCount> unexplained_faults() const;
   /// Of the run itself, whatever the analysis says: no overrun, no reset, no stage out of order or longer than its
-  /// WCET, no loop longer than its mark says, no fault that nothing explains, all as the scenario expects, something
+  /// WCET, no loop longer than its mark says, no bus with more
+  /// than is declared, no fault that nothing explains, all as the scenario expects, something
   /// judged, and bounds and claims hold.
   [[nodiscard]] bool good() const;
 };

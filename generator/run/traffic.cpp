@@ -1,0 +1,129 @@
+#include "generator/run/traffic.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/bus/bus_type.hpp"
+#include "generator/diagnostic/code_scenario.hpp"
+#include "generator/model/connection.hpp"
+#include "generator/timing/traffic_limits.hpp"
+#include "generator/units/checked.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// Times of the model are by the board's clock, of which a run says how far it is off: it is less than this.
+constexpr Duration with_clock_error(Duration window) { return window + ceil_div(window, 1'000); }
+
+/// A sender is understood whose clock is off by one part in 22 at most (RM0090 30.3.5): its bytes take as much longer.
+constexpr Duration of_slow_sender(Duration wire) { return wire + ceil_div(wire, 22); }
+
+/// None: the numbers are too large.
+std::optional<Table<timing::BusPlace, timing::TrafficLimit>> limits_of(const timing::Model& model, Duration window) {
+  try {
+    return timing::traffic_limits(model, with_clock_error(window));
+  } catch (const Overflow&) {
+    return std::nullopt;
+  }
+}
+
+/// Where parts declare nothing on a line that the board receives on, no bound rests on what comes there.
+Declared<Duration> received(const BusTraffic& seen, const timing::TrafficLimit& limit, bool has_events) {
+  const bool is_bound = !has_events && limit.received && *limit.received > Duration::zero();
+  return {seen.received, is_bound ? std::optional(of_slow_sender(*limit.received)) : std::nullopt};
+}
+
+MeasuredTraffic measured(const Robot& robot, BusId bus, const BusTraffic& seen, const timing::TrafficLimit& limit,
+                         bool has_events) {
+  MeasuredTraffic traffic{bus, seen.window, {seen.sent, limit.wire}, std::nullopt, {seen.interrupts, limit.interrupts}};
+  if (bus_type(robot.buses[bus].kind).has_two_lines) {
+    traffic.received = received(seen, limit, has_events);
+  } else {
+    traffic.sent.seen += seen.received;  // of a line that is switched over
+  }
+  return traffic;
+}
+
+}  // namespace
+
+Judgement MeasuredTraffic::judged() const {
+  const Judgement of_received = received ? received->judged() : Judgement::no_bound;
+  const auto any = [&](Judgement one) {
+    return sent.judged() == one || of_received == one || interrupts.judged() == one;
+  };
+  return any(Judgement::broken) ? Judgement::broken : any(Judgement::held) ? Judgement::held : Judgement::no_bound;
+}
+
+std::vector<MeasuredTraffic> measure_traffic(const Robot& robot, const timing::Model& model, const RunRecord& record) {
+  std::vector<MeasuredTraffic> all;
+  const timing::BusPlaces places(robot);
+  std::optional<Table<timing::BusPlace, timing::TrafficLimit>> limits;
+  for (const BusRecord& bus : record.buses) {
+    const auto place = places.of(bus.bus);
+    if (!place || !bus.traffic) continue;
+    if (!limits) limits = limits_of(model, bus.traffic->window);  // of all the same
+    if (!limits) return all;
+    all.push_back(measured(robot, bus.bus, *bus.traffic, (*limits)[*place], record.has_events));
+  }
+  return all;
+}
+
+void merge(std::vector<MeasuredTraffic>& all, const std::vector<MeasuredTraffic>& more) {
+  for (std::size_t i = 0; i < all.size() && i < more.size(); ++i) {
+    if (all[i].judged() != Judgement::broken && more[i].judged() == Judgement::broken) all[i] = more[i];
+  }
+}
+
+namespace {
+
+template <class Amount, class Text>
+void say(std::vector<std::string>& said, const char* what, const Declared<Amount>& amount, const Text& text) {
+  if (amount.judged() != Judgement::broken) return;
+  said.push_back(
+      fmt::format("{} {}, where what is declared makes {} at most", what, text(amount.seen), text(*amount.most)));
+}
+
+/// Devices on a bus, those of types of the user's first: shipped ones declare what they send.
+std::vector<std::string> devices_on(const Robot& robot, BusId bus, bool builtin) {
+  std::vector<std::string> names;
+  for (const Device& device : robot.devices) {
+    const std::vector<Connection> connections = connections_of(device);
+    const bool is_here = std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
+      return robot.segments[connection.segment].bus == bus;
+    });
+    if (is_here && device.type->builtin == builtin) names.push_back("'" + device.name.text + "'");
+  }
+  return names;
+}
+
+bool check(const Robot& robot, const MeasuredTraffic& traffic, Diagnostics& diagnostics) {
+  std::vector<std::string> said;
+  const auto time = [](Duration duration) { return fmt::format("{:.3f} ms", duration.ns() / 1e6); };
+  const auto count = [](std::int64_t number) { return fmt::format("{}", number); };
+  say(said, traffic.received ? "it sent for" : "its wire was in use for", traffic.sent, time);
+  if (traffic.received) say(said, "it received for", *traffic.received, time);
+  say(said, "its interrupts ran", traffic.interrupts, count);
+  if (said.empty()) return true;
+  const Bus& bus = robot.buses[traffic.bus];
+  auto& finding = diagnostics.error(code::undeclared_traffic, bus.at,
+                                    fmt::format("more goes over bus '{}' than its devices declare: in {} {}",
+                                                bus.name.text, time(traffic.window), fmt::join(said, "; ")));
+  finding.note("bounds of chains over this bus, and of what its interrupts delay, are made from what is declared");
+  const std::vector<std::string> own = devices_on(robot, traffic.bus, false);
+  if (own.empty()) return false;
+  finding.hint(fmt::format("let 'frames' in the descriptors of {} say all that they and their parts send",
+                           fmt::join(own, ", ")));
+  return false;
+}
+
+}  // namespace
+
+bool check_traffic(const Robot& robot, const std::vector<MeasuredTraffic>& traffic, Diagnostics& diagnostics) {
+  bool holds = true;
+  for (const MeasuredTraffic& of_bus : traffic) holds = check(robot, of_bus, diagnostics) && holds;
+  return holds;
+}
+
+}  // namespace finemote::gen
