@@ -215,6 +215,17 @@ std::string missing_text(const RunResult& result) {
   return names.empty() ? names : " but: " + names;
 }
 
+/// `, declared 12.3 % at most`: how much of a time as long as the run the busier line of a bus can be in use.
+std::string declared_text(const std::vector<MeasuredTraffic>& all, BusId bus) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const MeasuredTraffic& t) { return t.bus == bus; });
+  if (found == all.end() || !found->sent.most) return "";
+  Duration most = *found->sent.most;
+  if (found->received) most = std::max(most, found->received->most.value_or(most));
+  const double share =
+      static_cast<double>(most.ns()) / static_cast<double>(std::max(found->window, nanoseconds(1)).ns());
+  return fmt::format(", declared {:.1f} % at most", 100 * share);
+}
+
 }  // namespace
 
 void print_image(const ImageFacts& image, std::ostream& out) {
@@ -250,8 +261,9 @@ void print_run(const RunResult& result, bool is_verbose, std::ostream& out) {
   if (!result.record.buses.empty()) out << "\nbuses\n";
   for (const BusRecord& bus : result.record.buses) {
     if (!result.robot.buses.contains(bus.bus)) continue;
-    out << fmt::format("  {:<12} {:>7} transfers {:>4} errors  busy {:.1f} %\n", result.robot.buses[bus.bus].name.text,
-                       bus.transfers, bus.errors, 100 * bus.busy);
+    out << fmt::format("  {:<12} {:>7} transfers {:>4} errors  busy {:.1f} %{}\n",
+                       result.robot.buses[bus.bus].name.text, bus.transfers, bus.errors, 100 * bus.busy,
+                       declared_text(result.figures.traffic, bus.bus));
   }
   if (!result.record.violated.empty())
     out << fmt::format("\nthe scenario violates assumptions of the bounds ({}): those that rest on them do not count\n",

@@ -100,6 +100,7 @@ def examine(finemote, robot, analysis, inputs, task):
         if record is None:
             return None, said[-2000:]
         figures.take(record, disturbed)
+        figures.take_findings(said)
     return figures.verdict(), ""
 
 

@@ -16,7 +16,7 @@ struct Case {
   const char* name;
   const char* bus;     ///< attributes of the bus
   const char* device;  ///< further attributes of the device
-  Json descriptor;     ///< without its frames; of a type that is shipped where `code` is empty
+  Json descriptor;     ///< without its frames; or the file of another type, of which it is a copy
   const char* code;    ///< members of the class
   Json truth, lie;     ///< what is put in place of members of the descriptor
 };
@@ -33,12 +33,12 @@ Json descriptor(const Json& members) {
   return whole;
 }
 
-/// The descriptor of a shipped type under the name `own`; its header is found where it is.
-Json shipped(const std::string& file) {
+/// The descriptor of another type under the name `own`, as it stands in the folder `devices` of `robot`.
+Json another(const std::string& file, const TemporaryFolder& robot) {
   Json whole = Json::parse(read_file(source_path(file)));
-  const auto folder = std::filesystem::path(source_path(file)).parent_path();
+  const auto header = std::filesystem::path(source_path(file)).parent_path() / whole["header"].get<std::string>();
   whole["type"] = "own";
-  whole["header"] = (folder / whole["header"].get<std::string>()).lexically_normal().string();
+  whole["header"] = std::filesystem::relative(header, robot.path("devices")).generic_string();
   return whole;
 }
 
@@ -69,7 +69,7 @@ std::vector<Case> cases() {
   std::uint8_t bytes_[16]{};)",
        frames({frame("handle", 16, 0)}), frames({frame("handle", 8, 0)})},
 
-      {"a longer exchange on SPI", R"(type="spi" port="spi1" clock="1MHz")", R"(channel="0")",
+      {"a longer exchange on SPI", R"(type="spi" port="spi1" clock="1312500Hz")", R"(channel="0")",
        descriptor({{"bus", {{"types", {"spi"}}, {"channel", {{"min", 0}, {"max", 1}}}}}}), R"(
   constexpr explicit Own(finemote::SpiSlot& slot) : slot_(&slot) {}
   void update() {
@@ -81,30 +81,29 @@ std::vector<Case> cases() {
   std::uint8_t bytes_[40]{};)",
        frames({frame("update", 0, 40)}), frames({frame("update", 0, 30)})},
 
-      {"a second exchange on I2C", R"(type="i2c" port="i2c2" clock="400kHz")", "", descriptor(with_bank), R"(
+      {"a longer answer on I2C", R"(type="i2c" port="i2c2" clock="400kHz")", "", descriptor(with_bank), R"(
   constexpr explicit Own(finemote::I2cSlot& slot) : slot_(&slot) {}
   void update() {
     if (!slot_->busy()) slot_->start(&register_, 1, answer_, sizeof answer_);
   }
-  void handle() { update(); }
+  void handle() {}
  private:
   finemote::I2cSlot* const slot_;
-  std::uint8_t register_ = 0x20, answer_[2]{};)",
-       frames({frame("update", 1, 2), frame("handle", 1, 2)}), frames({frame("update", 1, 2)})},
+  std::uint8_t register_ = 0x20, answer_[6]{};)",
+       frames({frame("update", 1, 6)}), frames({frame("update", 1, 4)})},
 
       {"a part that sends more often on a serial line", R"(type="uart" port="usart1" baud="460800baud")", "",
-       shipped("schemas/devices/h30_imu.json"), "", streamed_every(5'000'000), streamed_every(10'000'000)},
+       "schemas/devices/h30_imu.json", "", streamed_every(5'000'000), streamed_every(10'000'000)},
 
       {"a part that sends more often on CAN", R"(type="can" port="can1")", R"(id="1")",
-       shipped("tests/emulator/bounds/devices/diagnosing_motor.json"), "", streamed_every(1'000'000),
-       streamed_every(2'000'000)},
+       "tests/emulator/bounds/devices/diagnosing_motor.json", "", streamed_every(1'000'000), streamed_every(4'000'000)},
   };
 }
 
 void write_robot(const TemporaryFolder& folder, const Case& one, const Json& said) {
-  Json whole = one.descriptor;
-  whole.update(said);
   std::filesystem::create_directories(folder.path("devices"));
+  Json whole = one.descriptor.is_string() ? another(one.descriptor, folder) : one.descriptor;
+  whole.update(said);
   write_file(folder.path("devices/own.json"), whole.dump());
   write_file(folder.path("devices/own.hpp"), std::string(R"(#pragma once
 #include <cstdint>
@@ -148,7 +147,7 @@ TEST_CASE("what the code and the part send, as the descriptor says and more than
   for (const Case& one : cases()) {
     INFO(one.name);
     const Json honest = run(one, one.truth);
-    INFO(honest.dump());
+    INFO(honest["buses"].dump());
     CHECK(honest["buses"][0]["traffic"]["judged"] == "held");
     CHECK_FALSE(reports_traffic(honest));
     const Json lying = run(one, one.lie);
