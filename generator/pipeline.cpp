@@ -20,6 +20,7 @@ LibraryOptions library_of(const Input& input) {
 ModelOptions model_of(const Input& input) {
   ModelOptions options;
   options.board = input.board;
+  options.code = input.code;
   options.source = input_name(input.path);
   options.from_xacro = is_xacro(input.path);
   return options;
@@ -59,13 +60,16 @@ std::optional<PlannedRobot> plan_robot(const Input& input, Sources& sources, Dia
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(planned));
 }
 
-void note_command_frames(PlannedRobot& planned, const std::string& data_dir) {
+CommandFrames command_frames(const PlannedRobot& planned, const std::string& data_dir) {
+  CommandFrames frames;
   const auto& devices = planned.robot.devices;
   const auto is_link = [](const Device& device) { return !device.type->link_role.empty(); };
-  if (std::none_of(devices.begin(), devices.end(), is_link)) return;
+  if (std::none_of(devices.begin(), devices.end(), is_link)) return frames;
   Diagnostics said;  // by whoever writes the files
-  for (const DeviceLink& link : plan_links(planned.plan(), shipped_interfaces(data_dir + "/schemas"), said))
-    planned.robot.devices[link.device].commands = command_frame(link);
+  for (const DeviceLink& link : plan_links(planned.plan(), shipped_interfaces(data_dir + "/schemas"), said)) {
+    if (auto frame = command_frame(link)) frames.emplace(link.device, std::move(*frame));
+  }
+  return frames;
 }
 
 std::string timing_hash_of(const PlannedRobot& planned, const std::string& data_dir, const files::Access& access) {

@@ -12,6 +12,7 @@
 
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/emit/command_frame.hpp"
 #include "generator/emit/render.hpp"
 #include "generator/input/input.hpp"
 #include "generator/timing/analyse.hpp"
@@ -34,8 +35,8 @@ struct PlannedRobot {
 /// one there is no robot.
 std::optional<PlannedRobot> plan_robot(const Input& input, Sources& sources, Diagnostics& diagnostics);
 
-/// Notes at every link what a computer sends down to it: for those who play the computer.
-void note_command_frames(PlannedRobot& planned, const std::string& data_dir);
+/// What a computer sends down to every link: for those who play the computer.
+CommandFrames command_frames(const PlannedRobot& planned, const std::string& data_dir);
 
 /// What the instructions of the robot's image are made from, its generated files without bounds included:
 /// timing_hash().

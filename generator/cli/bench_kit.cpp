@@ -43,16 +43,11 @@ std::optional<Input> robot_of(const Options& options, Sources& sources, Diagnost
   return input;
 }
 
-/// The kit measures the flash, too, so that its code runs from there.
-void run_from_flash(Robot& robot) {
-  for (Param& param : robot.board_params) {
-    if (param.spec->name == "code") param.value = std::string("flash");
-  }
-}
-
-std::optional<PlannedRobot> plan_for_bench(const Input& input, Sources& sources, Diagnostics& diagnostics) {
+/// The kit measures the flash, too, so that its code runs from there: bounds of an image in SRAM say nothing of it.
+std::optional<PlannedRobot> plan_for_bench(Input input, Sources& sources, Diagnostics& diagnostics) {
+  input.code = "flash";
+  input.without_timing_file = true;
   auto planned = plan_robot(input, sources, diagnostics);
-  if (planned) run_from_flash(planned->robot);
   if (!planned || planned->robot.board->name == kBoard) return planned;
   diagnostics
       .error(code::usage, {},
@@ -136,17 +131,6 @@ std::optional<BenchPlan> plan_of(const PlannedRobot& planned, Diagnostics& diagn
   return plan;
 }
 
-FirmwareRequest request_of(const Options& options, const Robot& robot, const std::string& data_dir) {
-  FirmwareRequest request;
-  request.name = "bench";
-  request.folder = options.out;
-  request.data_dir = data_dir;
-  request.board = robot.board->name;
-  request.include_dirs = user_include_dirs(robot);
-  request.sources = user_sources(request.include_dirs);
-  return request;
-}
-
 /// Every file of a folder of the data, as one below `folder` of the kit.
 void add_copies(std::vector<OutputFile>& files, const std::string& from, const std::string& folder) {
   for (OutputFile& file : fill_folder(from, {})) files.push_back({folder + file.name, std::move(file.text)});
@@ -196,7 +180,8 @@ Answer write_kit(const Options& options, Sources& sources, Diagnostics& diagnost
   const Analysis analysis = analyse_robot(*planned, Hints::left_out);
   auto generated = emit_files(*planned, prove_bounds(*planned, analysis), input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
-  const FirmwareRequest request = request_of(options, planned->robot, input->data_dir);
+  FirmwareRequest request = firmware_of(planned->robot, options.out, input->data_dir);
+  request.name = "bench";
   const auto plan = plan_of(*planned, diagnostics);
   if (!plan) return no_answer();
   Output robot = output_of(std::move(generated), *planned, *input, sources);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "generator/model/firmware_inputs.hpp"
 #include "generator/run/project.hpp"
 #include "generator/run/proven_image.hpp"
 #include "generator/run/work_folder.hpp"
@@ -15,17 +14,9 @@ std::optional<ImageFacts> built_image(const Robot& robot, Output generated, cons
                                       Sources& sources, Diagnostics& diagnostics) {
   const WorkFolder work({}, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  FirmwareRequest request;
-  request.folder = work.path();
-  request.data_dir = data_dir;
-  request.board = robot.board->name;
-  request.for_host = robot.board->is_host();
-  request.trace = false;
-  request.code_in_sram = runs_code_in_sram(robot);
-  request.include_dirs = user_include_dirs(robot);
-  request.sources = user_sources(request.include_dirs);
-  const Project project = make_project(request, std::move(generated), robot, false);
-  const auto image = make_proven_image(project, robot, false, sources, diagnostics);
+  const FirmwareRequest request = firmware_of(robot, work.path(), data_dir);
+  const Project project = make_project(request, std::move(generated), robot, nullptr);
+  const auto image = make_proven_image(project, robot, nullptr, sources, diagnostics);
   return image ? std::optional(image->facts) : std::nullopt;
 }
 

@@ -4,19 +4,15 @@
 #include <algorithm>
 #include <sstream>
 
-#include "emulator/silicon/choice.hpp"
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/dump.hpp"
-#include "generator/cli/named_board.hpp"
 #include "generator/cli/progress.hpp"
 #include "generator/cli/robot_input.hpp"
+#include "generator/cli/run_setup.hpp"
 #include "generator/cli/subject.hpp"
 #include "generator/cli/verdict.hpp"
-#include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
-#include "generator/model/attributes.hpp"
-#include "generator/model/firmware_inputs.hpp"
 #include "generator/run/audit.hpp"
 #include "generator/run/check_wcet.hpp"
 #include "generator/run/duration.hpp"
@@ -38,94 +34,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Where a robot runs, how long and under what: settled before anything is generated.
-struct Setup {
-  const Board& board;
-  Duration duration;
-  std::optional<Scenario> scenario;
-  std::vector<std::string> silicon;  ///< which freedom of its manual the emulated chip uses
-
-  [[nodiscard]] bool is_emulated() const { return board.is_emulated; }
-  [[nodiscard]] const Scenario* asked_scenario() const { return scenario ? &*scenario : nullptr; }
-};
-
-std::optional<Duration> duration_of(const std::string& asked, const Schedule& schedule, Diagnostics& diagnostics) {
-  if (asked.empty()) return default_duration(schedule);
-  return time_option("--duration", asked, "100ms", diagnostics);
-}
-
-/// The first bus whose port the board lacks; null: none, or the board takes every port.
-const Bus* bus_without_port(const Robot& robot, const Board& board) {
-  if (board.stands_in) return nullptr;
-  const auto lacks = [&](const Bus& bus) { return !bus.port.empty() && board.port(bus.port) == nullptr; };
-  const auto found = std::find_if(robot.buses.begin(), robot.buses.end(), lacks);
-  return found == robot.buses.end() ? nullptr : &*found;
-}
-
-/// The board that plays the robot: its own, or that of --board. Null after what is wrong with it was reported: FM3007
-/// where there is none of that name, FM3012 where it lacks a port of the robot.
-const Board* playing_board(const std::string& name, PlannedRobot& planned, Sources& sources, Diagnostics& diagnostics) {
-  if (name.empty()) return planned.robot.board;
-  const Board* board = named_board(name, planned.library, sources, diagnostics);
-  const Bus* bus = board != nullptr ? bus_without_port(planned.robot, *board) : nullptr;
-  if (bus == nullptr) return board;
-  diagnostics
-      .error(code::unknown_port, {}, fmt::format("board '{}' has no port '{}', which the robot uses", name, bus->port))
-      .hint(fmt::format("leave out --board: the robot's own is '{}'", planned.robot.board->name));
-  return nullptr;
-}
-
-/// The scenario that was asked for; none where it is wrong.
-std::optional<Scenario> read_asked_scenario(const std::string& path, PlannedRobot& planned, const Setup& setup,
-                                            Sources& sources, Diagnostics& diagnostics) {
-  if (setup.is_emulated()) return read_scenario(path, planned.robot, setup.duration, sources, diagnostics);
-  const Board& own = *planned.robot.board;
-  diagnostics
-      .error(code::scenario_unjudged, {},
-             fmt::format("nothing can play a scenario on the board '{}'", setup.board.name))
-      .note("it has no parts on its buses")
-      .hint(fmt::format("--board {}", own.is_emulated ? own.name : suggested_board(planned.library, sources)));
-  return std::nullopt;
-}
-
-/// Reports what only the emulated board can do.
-bool can_watch(const Options& options, const Setup& setup, Diagnostics& diagnostics) {
-  const char* asked = !options.audit.empty()     ? "--audit"
-                      : options.phases != 0      ? "--phases"
-                      : !options.silicon.empty() ? "--silicon"
-                      : options.slowest          ? "--slowest"
-                                                 : nullptr;
-  if (setup.is_emulated() || asked == nullptr) return true;
-  diagnostics
-      .error(
-          code::scenario_unjudged, {},
-          fmt::format("'{}' needs the emulated board: '{}' has no parts and keeps no record", asked, setup.board.name))
-      .hint("leave out --board");
-  return false;
-}
-
-std::optional<Setup> setup_of(const Options& options, PlannedRobot& planned, Sources& sources,
-                              Diagnostics& diagnostics) {
-  const Board* board = playing_board(options.board, planned, sources, diagnostics);
-  if (board == nullptr) return std::nullopt;
-  const auto duration = duration_of(options.duration, planned.schedule, diagnostics);
-  if (!duration) return std::nullopt;
-  const std::string strictness = options.slowest && options.silicon.empty() ? "strict" : options.silicon;
-  auto silicon = emulator::parse_silicon(strictness, diagnostics);
-  if (!silicon) return std::nullopt;
-  Setup setup{*board, *duration, {}, std::move(*silicon)};
-  if (!can_watch(options, setup, diagnostics)) return std::nullopt;
-  if (options.scenario.empty()) return setup;
-  setup.scenario = read_asked_scenario(options.scenario, planned, setup, sources, diagnostics);
-  if (!setup.scenario) return std::nullopt;
-  return setup;
-}
-
 /// Whether the emulated board has what hangs on the robot's buses.
-bool has_parts(const Robot& robot, const Setup& setup, bool build_only, Diagnostics& diagnostics) {
+bool has_parts(const Robot& robot, const RunSetup& setup, bool build_only, Diagnostics& diagnostics) {
   if (!setup.is_emulated()) return true;
   if (!build_only && !has_models(robot, diagnostics)) return false;
-  warn_of_undriven(robot, diagnostics);
+  warn_of_undriven(setup.parts, diagnostics);
   return true;
 }
 
@@ -151,19 +64,20 @@ std::optional<timing::Timing> analyse_image(const Options& options, const Planne
   return timing;
 }
 
-FirmwareRequest firmware_request(const Options& options, const Setup& setup, const Robot& robot,
+/// What is written down beside the image that the user keeps.
+const EmulatedParts* kept_parts(const Options& options, const RunSetup& setup) {
+  return options.keep.empty() ? nullptr : &setup.parts;
+}
+
+FirmwareRequest firmware_request(const Options& options, const RunSetup& setup, const Robot& robot,
                                  const std::string& folder, const std::string& data_dir) {
-  FirmwareRequest request;
-  request.folder = folder;
-  request.data_dir = data_dir;
+  FirmwareRequest request = firmware_of(robot, folder, data_dir);
   request.board = setup.board.name;
   request.for_host = setup.board.is_host();
+  request.code_in_sram = request.code_in_sram && setup.is_emulated();
   request.duration = options.build_only || setup.is_emulated() ? Duration::zero() : setup.duration;
   request.trace = options.trace || (!setup.is_emulated() && !options.build_only);
   request.monitor = options.monitor;
-  request.code_in_sram = setup.is_emulated() && runs_code_in_sram(robot);
-  request.include_dirs = user_include_dirs(robot);
-  request.sources = user_sources(request.include_dirs);
   return request;
 }
 
@@ -197,14 +111,14 @@ WatchedImage watch_loops(const ProvenImage& image, const Input& input, bool is_c
   return {image, told_loops(image.path, SourceNames(input.data_dir, input_folder(input.path)), diagnostics)};
 }
 
-std::optional<RunRecord> run_image(const WatchedImage& watched, const PlannedRobot& planned, const Setup& setup,
+std::optional<RunRecord> run_image(const WatchedImage& watched, const PlannedRobot& planned, const RunSetup& setup,
                                    const FaultTable& faults, const Options& options, std::optional<Phase> phase,
                                    Diagnostics& diagnostics) {
   const auto& [library, robot, forest, schedule, timing_file] = planned;
   const std::string& image = watched.image.path;
   if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration, faults, diagnostics);
   return emulate(image, robot, forest, setup.duration,
-                 {setup.board, faults, watched.loops, setup.asked_scenario(),
+                 {setup.board, setup.parts, faults, watched.loops, setup.asked_scenario(),
                   options.audit.empty() ? nullptr : &schedule, phase, options.flash_misses || options.slowest,
                   SiliconChoice{setup.silicon, options.seed + (phase ? phase->number : 0)}},
                  diagnostics);
@@ -218,7 +132,7 @@ struct Runs {
 };
 
 /// One run without phases, or as many as were asked for.
-std::optional<Runs> run_phases(const WatchedImage& watched, const PlannedRobot& planned, const Setup& setup,
+std::optional<Runs> run_phases(const WatchedImage& watched, const PlannedRobot& planned, const RunSetup& setup,
                                const FaultTable& faults, const Options& options,
                                const std::optional<timing::Timing>& timing, Progress& progress,
                                Diagnostics& diagnostics) {
@@ -248,8 +162,22 @@ std::optional<Runs> run_phases(const WatchedImage& watched, const PlannedRobot& 
   return all;
 }
 
+/// Holds what the runs have shown against what the robot and the sources say; reports what is wrong.
+void judge(const PlannedRobot& planned, const std::optional<timing::Timing>& timing, RunResult& result,
+           Diagnostics& judged) {
+  const Robot& robot = planned.robot;
+  for (const Device& device : robot.devices) result.wcets_given.push_back(device.wcet);
+  if (timing) result.wcets_given = analysed_wcets(robot, planned.forest, timing->model);
+  const bool declared_hold = !timing || timing->above_declared.empty();
+  result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged) && declared_hold;
+  result.loops_hold = check_loops(result.loops, result.record.loop_passes, judged);
+  result.traffic_holds = !result.record.violated.empty() || check_traffic(robot, result.figures.traffic, judged);
+  result.wcets = measured_wcets(robot, result.record);
+  result.order = judge_order(robot, planned.schedule, result.record);
+}
+
 /// What was run, and what it left behind.
-RunResult result_of(const PlannedRobot& planned, const Setup& setup, const ImageFacts& image, Runs runs,
+RunResult result_of(const PlannedRobot& planned, const RunSetup& setup, const ImageFacts& image, Runs runs,
                     const FaultTable& faults) {
   const auto& [library, robot, forest, schedule, timing_file] = planned;
   const auto whole = hyperperiod(schedule, setup.duration);
@@ -292,6 +220,36 @@ Answer answer_of_run(const Options& options, const RunResult& result, Diagnostic
   return {result.good() && allowed && is_enough ? kExitYes : kExitNo, text.str(), run_document(result)};
 }
 
+/// Files beside the work folder.
+std::vector<PlannedFile> results_of(const Options& options) {
+  return {{options.out, "-o"}, {options.audit, "--audit"}, {options.json, "--json"}};
+}
+
+/// What is compiled, and what is proven of it.
+struct Prepared {
+  Analysis analysis;
+  ProvenBounds proven;
+  Project project;
+};
+
+/// Everything but the compiler's work. None after what is in the way was reported: nothing is written yet.
+std::optional<Prepared> prepare(const Options& options, const Input& input, const PlannedRobot& planned,
+                                const RunSetup& setup, const std::string& folder, Sources& sources,
+                                Diagnostics& diagnostics) {
+  Analysis analysis = analyse_robot(planned, options.build_only ? Hints::left_out : Hints::wanted);
+  ProvenBounds proven = prove_bounds(planned, analysis);
+  auto files = emit_files(planned, proven, input.data_dir, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  const FirmwareRequest request = firmware_request(options, setup, planned.robot, folder, input.data_dir);
+  Project project = make_project(request, output_of(std::move(files), planned, input, sources), planned.robot,
+                                 kept_parts(options, setup));
+  if (!is_free_to_write(project, results_of(options), sources, diagnostics)) return std::nullopt;
+  const bool is_played = setup.is_emulated() && !options.build_only;
+  if (is_played && !rehearse(setup.board, setup.parts, setup.asked_scenario(), folder + "/scenario", diagnostics))
+    return std::nullopt;
+  return Prepared{std::move(analysis), std::move(proven), std::move(project)};
+}
+
 }  // namespace
 
 Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostics) {
@@ -301,56 +259,38 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (options.dump) return dump_robot(options, *input, {}, sources, diagnostics);
   auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return no_answer();
-  note_command_frames(*planned, input->data_dir);
-  const auto& [library, robot, forest, schedule, timing_file] = *planned;
-  const auto setup = setup_of(options, *planned, sources, diagnostics);
-  if (!setup || !has_parts(robot, *setup, options.build_only, diagnostics)) return no_answer();
+  const auto setup = run_setup(options, input->data_dir, *planned, sources, diagnostics);
+  if (!setup || !has_parts(planned->robot, *setup, options.build_only, diagnostics)) return no_answer();
   const auto image_timing = analyse_image(options, *planned, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
-  const FaultTable faults = load_fault_table(input->data_dir);
-  const std::vector<PlannedFile> results{{options.out, "-o"}, {options.audit, "--audit"}, {options.json, "--json"}};
-  const auto read = user_files(robot, sources.access());
-  if (!check_results(results, sources, diagnostics, read, options.keep)) return no_answer();
+  const auto read = user_files(planned->robot, sources.access());
+  if (!check_results(results_of(options), sources, diagnostics, read, options.keep)) return no_answer();
   const WorkFolder work(options.keep, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
-  const Analysis analysis = analyse_robot(*planned, options.build_only ? Hints::left_out : Hints::wanted);
-  ProvenBounds proven = prove_bounds(*planned, analysis);
-  auto files = emit_files(*planned, proven, input->data_dir, diagnostics);
-  if (diagnostics.has_errors()) return no_answer();
-  const FirmwareRequest request = firmware_request(options, *setup, robot, work.path(), input->data_dir);
-  const Project project =
-      make_project(request, output_of(std::move(files), *planned, *input, sources), robot, !options.keep.empty());
-  if (!is_free_to_write(project, results, sources, diagnostics)) return no_answer();
-  const bool is_played = setup->is_emulated() && !options.build_only;
-  if (is_played && !rehearse(setup->board, setup->asked_scenario(), robot, work.path() + "/scenario", diagnostics))
-    return no_answer();
+  auto prepared = prepare(options, *input, *planned, *setup, work.path(), sources, diagnostics);
+  if (!prepared) return no_answer();
   Progress progress(options);
   progress.say("compiling the firmware");
-  const auto image = make_proven_image(project, robot, !options.keep.empty(), sources, diagnostics);
+  const auto image =
+      make_proven_image(prepared->project, planned->robot, kept_parts(options, *setup), sources, diagnostics);
   if (!image) return no_answer();
   if (options.build_only) return answer_of_build(image->facts, setup->board.name);
 
-  const auto schedulable = repeat_verdict(analysis, diagnostics);
-  WatchedImage watched = watch_loops(*image, *input, is_played, diagnostics);
+  const auto schedulable = repeat_verdict(prepared->analysis, diagnostics);
+  const FaultTable faults = load_fault_table(input->data_dir);
+  WatchedImage watched = watch_loops(*image, *input, setup->is_emulated(), diagnostics);
   auto runs = run_phases(watched, *planned, *setup, faults, options, image_timing, progress, diagnostics);
   if (!runs) return no_answer();
   if (!options.audit.empty() && !write_result(options.audit, runs->audit, diagnostics)) return no_answer();
   RunResult result = result_of(*planned, *setup, image->facts, std::move(*runs), faults);
   result.phases = std::max<std::uint64_t>(options.phases, 1);
   result.seed = options.phases == 0 ? 0 : options.seed;
-  if (options.monitor) result.bounds = std::move(proven.monitored);
+  if (options.monitor) result.bounds = std::move(prepared->proven.monitored);
   result.schedulable = schedulable;
-  Diagnostics judged;
-  for (const Device& device : robot.devices) result.wcets_given.push_back(device.wcet);
-  if (image_timing) result.wcets_given = analysed_wcets(robot, forest, image_timing->model);
-  const bool declared_hold = !image_timing || image_timing->above_declared.empty();
-  result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged) && declared_hold;
-  result.loops = std::move(watched.loops);
-  result.loops_hold = check_loops(result.loops, result.record.loop_passes, judged);
-  result.traffic_holds = !result.record.violated.empty() || check_traffic(robot, result.figures.traffic, judged);
   result.must_judge = setup->is_emulated();
-  result.wcets = measured_wcets(robot, result.record);
-  result.order = judge_order(robot, planned->schedule, result.record);
+  result.loops = std::move(watched.loops);
+  Diagnostics judged;
+  judge(*planned, image_timing, result, judged);
   Answer answer = answer_of_run(options, result, diagnostics);
   answer.judged = std::move(judged);
   return answer;

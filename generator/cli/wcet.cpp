@@ -32,18 +32,6 @@ bool has_model(const Robot& robot, Diagnostics& diagnostics) {
   return false;
 }
 
-FirmwareRequest request_of(const PlannedRobot& planned, const std::string& folder, const std::string& data_dir) {
-  FirmwareRequest request;
-  request.folder = folder;
-  request.data_dir = data_dir;
-  request.board = planned.robot.board->name;
-  request.trace = false;
-  request.code_in_sram = runs_code_in_sram(planned.robot);
-  request.include_dirs = user_include_dirs(planned.robot);
-  request.sources = user_sources(request.include_dirs);
-  return request;
-}
-
 /// The image of --elf, or the one that is made of the generated sources.
 std::optional<std::string> image_of(const Options& options, const Project& project, Sources& sources,
                                     Diagnostics& diagnostics) {
@@ -89,7 +77,7 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   const timing::RobotBounds unknown = timing::robot_bounds(std::nullopt, planned->forest, planned->schedule);
   auto files = emit_files(*planned, {unknown, unknown}, input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
-  const FirmwareRequest request = request_of(*planned, work.path(), input->data_dir);
+  const FirmwareRequest request = firmware_of(planned->robot, work.path(), input->data_dir);
   WcetInputs inputs;
   inputs.clock_hz = planned->robot.board->cpu_hz;
   inputs.arguments = argument_words(*input);
@@ -99,7 +87,7 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
     inputs.hash = timing_hash_of(*planned, input->data_dir, sources.access());
   }
   const Project project =
-      make_project(request, output_of(std::move(files), *planned, *input, sources), planned->robot, false);
+      make_project(request, output_of(std::move(files), *planned, *input, sources), planned->robot, nullptr);
   Progress progress(options);
   if (options.elf.empty()) progress.say("compiling the firmware");
   const auto path = image_of(options, project, sources, diagnostics);

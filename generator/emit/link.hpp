@@ -8,6 +8,7 @@
 
 #include "generator/descriptor/link_fields.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/emit/command_frame.hpp"
 #include "generator/emit/constants.hpp"
 #include "generator/emit/names.hpp"
 

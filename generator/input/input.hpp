@@ -16,8 +16,9 @@ struct Input {
   std::vector<std::string> device_paths;                       ///< further folders with device descriptors
   std::string data_dir;                                        ///< holds schemas/ and templates/
   std::string board;                                           ///< instead of the one the robot names; empty: that one
-  bool without_timing_file = false;                            ///< as if there were none beside it
-  std::ostream* messages = nullptr;                            ///< where xacro.message() writes; null: nowhere
+  std::string code;                  ///< where it runs, instead of the board's param; empty: there
+  bool without_timing_file = false;  ///< as if there were none beside it
+  std::ostream* messages = nullptr;  ///< where xacro.message() writes; null: nowhere
 };
 
 /// `.xacro`: the text is expanded before it is read.

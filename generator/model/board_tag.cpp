@@ -68,6 +68,13 @@ void report_missing(Reading& reading) {
       .hint(fmt::format("add <board name=\"{}\"/>", suggested_board(reading.library, reading.sources)));
 }
 
+/// @param place  instead of what the param says; empty: that
+void place_code(const std::string& place, std::vector<Param>& params) {
+  for (Param& param : params) {
+    if (!place.empty() && param.spec->name == "code") param.value = place;
+  }
+}
+
 }  // namespace
 
 void read_board_tag(Reading& reading) {
@@ -91,6 +98,7 @@ void read_board_tag(Reading& reading) {
   if (reading.robot.board == nullptr) return;
   reading.robot.board_params =
       read_param_tags(reading, tag, reading.robot.board->params, fmt::format("board '{}'", reading.robot.board->name));
+  place_code(reading.options.code, reading.robot.board_params);
 }
 
 }  // namespace finemote::gen

@@ -15,6 +15,7 @@ namespace finemote::gen {
 
 struct ModelOptions {
   std::string board;  ///< instead of the board the robot names (`--board`); empty: the robot's own
+  std::string code;   ///< instead of the board's param `code`; empty: that one
   Duration assumed_wcet = microseconds(50);  ///< per stage, for devices that declare none and whose type has no default
   std::string source;                        ///< how outputs call the input; empty: as messages do
   bool from_xacro =

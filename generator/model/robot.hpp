@@ -97,12 +97,6 @@ struct Wcet {
 /// As the extension spells it: `static`. What it cannot spell is `computed`.
 const char* to_string(Wcet::Source source);
 
-/// The frame of commands that a computer sends to a device that links it to the robot.
-struct CommandFrame {
-  std::uint32_t layout = 0;  ///< number that the frame carries
-  std::string values;  ///< a letter for each, as struct of Python has them; `v`: a command begins, with its validity
-};
-
 struct Device {
   Name name;
   const DeviceType* type = nullptr;
@@ -117,7 +111,6 @@ struct Device {
   std::vector<Read> reads;         ///< document order
   std::vector<DeviceId> children;  ///< document order of start tags (nested and `parent=` together)
   Wcet wcet;
-  std::optional<CommandFrame> commands;  ///< of a link with commands, where somebody plays the computer
   Position at;                           ///< start tag
   Position period_at;
 };

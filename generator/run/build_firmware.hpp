@@ -20,7 +20,7 @@ struct FirmwareRequest {
   Duration duration;              ///< the run ends by itself; 0: never
   std::uint32_t stack = 0;        ///< bytes to reserve; 0: as many as the board does
   bool code_in_sram = false;      ///< for a board that can: its param `code`
-  bool trace = true;
+  bool trace = false;
   bool monitor = false;
   std::vector<std::string> include_dirs;  ///< of the user's own device types
   std::vector<std::string> sources;       ///< and their sources

@@ -126,8 +126,8 @@ void warn_of_misuse(const Json& record, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void warn_of_undriven(const Robot& robot, Diagnostics& diagnostics) {
-  for (const UndrivenBody& body : emulated_parts(robot).undriven) {
+void warn_of_undriven(const EmulatedParts& parts, Diagnostics& diagnostics) {
+  for (const UndrivenBody& body : parts.undriven) {
     auto& finding = diagnostics.warning(code::undriven_plant, body.at, body.message);
     for (const std::string& note : body.notes) finding.note(note);
   }
@@ -155,9 +155,9 @@ bool has_models(const Robot& robot, Diagnostics& diagnostics) {
   return reported.empty();
 }
 
-bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, const std::string& stem,
+bool rehearse(const Board& board, const EmulatedParts& parts, const Scenario* scenario, const std::string& stem,
               Diagnostics& diagnostics) {
-  Json job{{"board", board_wiring(board)}, {"parts", emulated_parts(robot).scenario}};
+  Json job{{"board", board_wiring(board)}, {"parts", parts.scenario}};
   if (scenario != nullptr) job["events"] = scenario->document;
   const Json json = run_job(job, stem, Duration::zero(), diagnostics);
   if (json.is_null()) return false;
@@ -172,10 +172,10 @@ bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, 
 
 std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest, Duration duration,
                                  const EmulationOptions& options, Diagnostics& diagnostics) {
-  EmulatedParts parts = emulated_parts(robot);
+  Json parts = options.parts.scenario;
   const auto most_ppm = static_cast<double>(options.board.clock_ppm);
   const std::optional<Phase> phase = options.phase ? options.phase : clocks_of(options.silicon);
-  const double clock_ppm = phase ? shift_clocks(*phase, most_ppm, declared_ppm(robot), parts.scenario.at("parts")) : 0;
+  const double clock_ppm = phase ? shift_clocks(*phase, most_ppm, declared_ppm(robot), parts.at("parts")) : 0;
   const char* flash = options.flash_misses ? "miss" : "hit";
   const Duration last_event = options.scenario == nullptr ? Duration::zero() : options.scenario->last_event;
   Json job = {{"board", board_wiring(options.board)},
@@ -186,7 +186,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
               {"duration_ns", duration.ns()},
               {"last_event_ns", last_event.ns()},
               {"ports", bus_ports(robot)},
-              {"parts", parts.scenario}};
+              {"parts", std::move(parts)}};
   if (!options.silicon.names.empty()) job["silicon"] = silicon_json(options.silicon);
   if (!options.loops.empty()) job["loops"] = watched_loops(options.loops);
   if (options.audit != nullptr) job["audit"] = exceptions_of(*options.audit);
@@ -200,7 +200,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   if (is_stopped_later(json, robot, options.faults, diagnostics)) return std::nullopt;
   warn_of_misuse(json, diagnostics);
   RunRecord record = read_record(json, robot, forest);
-  record.silent = parts.silent;
+  record.silent = options.parts.silent;
   record.has_events = options.scenario != nullptr;
   record.clock_ppm = clock_ppm;
   record.flash = flash;

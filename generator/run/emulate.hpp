@@ -16,6 +16,7 @@ namespace finemote::gen {
 
 struct EmulationOptions {
   const Board& board;                  ///< what is emulated
+  const EmulatedParts& parts;          ///< what hangs on it
   const FaultTable& faults;            ///< what the firmware's faults mean
   const std::vector<ToldLoop>& loops;  ///< of the image, whose passes are counted
   const Scenario* scenario = nullptr;  ///< null: none
@@ -26,15 +27,15 @@ struct EmulationOptions {
 };
 
 /// Reports FM6012 as a warning for every body whose wheels do not all drive it.
-void warn_of_undriven(const Robot& robot, Diagnostics& diagnostics);
+void warn_of_undriven(const EmulatedParts& parts, Diagnostics& diagnostics);
 
 /// Reports FM0010 for every type whose descriptor names a model that the board does not have.
 bool has_models(const Robot& robot, Diagnostics& diagnostics);
 
-/// Hangs the robot's parts and those of the scenario on `board` without an image: what only the wiring shows is
+/// Hangs `parts` and those of the scenario on `board` without an image: what only the wiring shows is
 /// reported before anything is compiled, as FM6004, and as FM0010 without a scenario (null). `stem`: of the files it
 /// exchanges with the emulator.
-bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, const std::string& stem,
+bool rehearse(const Board& board, const EmulatedParts& parts, const Scenario* scenario, const std::string& stem,
               Diagnostics& diagnostics);
 
 /// Runs `image` for `duration` from the end of its bring-up on, or until the scenario's last event where that is later,

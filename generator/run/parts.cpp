@@ -101,12 +101,12 @@ void add_bus(const Robot& robot, const Device& device, Json& part) {
 }
 
 /// How often it sends, where the robot says so, and what.
-void add_stream(const Device& device, Json& part) {
+void add_stream(const Device& device, const CommandFrame* frame, Json& part) {
   const bool is_set = device.type->acquisition && !device.type->acquisition->interval_param.empty();
   if (is_set) part["period_ns"] = sample_interval(device).value_or(Duration::zero()).ns();
-  if (!device.commands) return;
-  part["layout"] = device.commands->layout;
-  part["values"] = device.commands->values;
+  if (frame == nullptr) return;
+  part["layout"] = frame->layout;
+  part["values"] = frame->values;
 }
 
 /// What the part feels of the body, or does to it.
@@ -218,9 +218,24 @@ Json weights_part(const Robot& robot, const Json& body) {
   return Json{{"type", "weights"}, {"name", name + ".weights"}, {"body", name}, {"joints", joints}};
 }
 
+/// Of a device that has one on the emulated board.
+Json device_part(const Robot& robot, DeviceId id, const std::string& body, const CommandFrames& frames) {
+  const Device& device = robot.devices[id];
+  const Emulation& emulation = device.type->emulation;
+  const auto frame = frames.find(id);
+  Json part{{"type", emulation.part}, {"name", device.name.text}};
+  add_bus(robot, device, part);
+  add_mechanics(robot, device, body, part);
+  add_stream(device, frame == frames.end() ? nullptr : &frame->second, part);
+  leave_known(part["type"], part);
+  if (emulation.values) part.update(*emulation.values);
+  add_params(emulation, device.params, part);
+  return part;
+}
+
 }  // namespace
 
-EmulatedParts emulated_parts(const Robot& robot) {
+EmulatedParts emulated_parts(const Robot& robot, const CommandFrames& frames) {
   EmulatedParts result;
   Json parts = Json::array();
   const Json body = body_part(robot, result.undriven);
@@ -228,17 +243,10 @@ EmulatedParts emulated_parts(const Robot& robot) {
   for (const Expander& expander : robot.expanders) {
     if (has_part(robot, expander)) parts.push_back(expander_part(robot, expander));
   }
-  for (const Device& device : robot.devices) {
-    const Emulation& emulation = device.type->emulation;
+  for (const DeviceId id : robot.devices.ids()) {
+    const Device& device = robot.devices[id];
     if (has_part(robot, device)) {
-      Json part{{"type", emulation.part}, {"name", device.name.text}};
-      add_bus(robot, device, part);
-      add_mechanics(robot, device, body.is_null() ? "" : body["name"], part);
-      add_stream(device, part);
-      leave_known(part["type"], part);
-      if (emulation.values) part.update(*emulation.values);
-      add_params(emulation, device.params, part);
-      parts.push_back(part);
+      parts.push_back(device_part(robot, id, body.is_null() ? "" : body["name"], frames));
     } else if (device.segment) {
       result.silent.push_back(device.name.text);
     }

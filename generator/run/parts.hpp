@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/command_frame.hpp"
 #include "generator/model/robot.hpp"
 
 namespace finemote::gen {
@@ -26,6 +27,7 @@ struct EmulatedParts {
   std::vector<UndrivenBody> undriven;
 };
 
-EmulatedParts emulated_parts(const Robot& robot);
+/// @param frames  what a computer sends to the robot's links, where something plays it
+EmulatedParts emulated_parts(const Robot& robot, const CommandFrames& frames);
 
 }  // namespace finemote::gen

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <iterator>
 
+#include "generator/model/firmware_inputs.hpp"
 #include "generator/output/write.hpp"
-#include "generator/run/parts.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -31,8 +31,7 @@ std::vector<std::string> files_of_the_compiler(const FirmwareRequest& request) {
   return files;
 }
 
-}  // namespace
-
+/// The sources in folders, sorted.
 std::vector<std::string> user_sources(const std::vector<std::string>& dirs) {
   std::vector<std::string> sources;
   for (const std::string& dir : dirs) {
@@ -44,9 +43,23 @@ std::vector<std::string> user_sources(const std::vector<std::string>& dirs) {
   return sources;
 }
 
-Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, bool with_parts) {
+}  // namespace
+
+FirmwareRequest firmware_of(const Robot& robot, std::string folder, std::string data_dir) {
+  FirmwareRequest request;
+  request.folder = std::move(folder);
+  request.data_dir = std::move(data_dir);
+  request.board = robot.board->name;
+  request.for_host = robot.board->is_host();
+  request.code_in_sram = runs_code_in_sram(robot);
+  request.include_dirs = user_include_dirs(robot);
+  request.sources = user_sources(request.include_dirs);
+  return request;
+}
+
+Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, const EmulatedParts* parts) {
   std::vector<OutputFile> files{{"CMakeLists.txt", project_text(request)}};
-  if (with_parts) files.push_back({"parts.json", emulated_parts(robot).scenario.dump(2) + "\n"});
+  if (parts != nullptr) files.push_back({"parts.json", parts->scenario.dump(2) + "\n"});
   Output project = make_output(std::move(files), generated.manifest.inputs, robot.name.text);
   return {request, std::move(generated), std::move(project), "--keep"};
 }

@@ -9,6 +9,7 @@
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/run/build_firmware.hpp"
+#include "generator/run/parts.hpp"
 
 namespace finemote::gen {
 
@@ -19,12 +20,13 @@ struct Project {
   std::string option = "--keep";  ///< that names the work folder
 };
 
-/// The sources in folders, sorted.
-std::vector<std::string> user_sources(const std::vector<std::string>& dirs);
+/// What any firmware of the robot is made of: its own board, where its code runs, and the sources of its own types.
+/// @param folder  the work folder
+FirmwareRequest firmware_of(const Robot& robot, std::string folder, std::string data_dir);
 
 /// The project of `request` around the generated files, for the same robot and inputs.
-/// @param parts  also what hangs on the board, as parts.json
-Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, bool with_parts);
+/// @param parts  what hangs on the board, which is written down, too; null: that is not
+Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, const EmulatedParts* parts);
 
 /// Whether all of it, and the results, can be written: looked at before the first file is. Reports what check_outputs
 /// and write_output report.

@@ -22,7 +22,7 @@ std::optional<ProvenImage> make_once(const Project& project, const Robot& robot,
 
 }  // namespace
 
-std::optional<ProvenImage> make_proven_image(const Project& project, const Robot& robot, bool with_parts,
+std::optional<ProvenImage> make_proven_image(const Project& project, const Robot& robot, const EmulatedParts* parts,
                                              Sources& sources, Diagnostics& diagnostics) {
   Diagnostics said;
   auto image = make_once(project, robot, sources, said);
@@ -30,7 +30,7 @@ std::optional<ProvenImage> make_proven_image(const Project& project, const Robot
     FirmwareRequest request = project.request;
     request.stack = rounded_stack(*image->facts.stack);
     said = Diagnostics();
-    image = make_once(make_project(request, project.generated, robot, with_parts), robot, sources, said);
+    image = make_once(make_project(request, project.generated, robot, parts), robot, sources, said);
   }
   for (const Diagnostic& finding : said.in_file_order()) diagnostics.add(finding);
   return said.has_errors() ? std::nullopt : std::move(image);

@@ -17,8 +17,8 @@ struct ProvenImage {
 
 /// Writes the files and builds; where the proven stack does not fit what the board reserves, once more with room for
 /// it. Reports what make_image and image_facts report.
-/// @param with_parts  as for make_project
-std::optional<ProvenImage> make_proven_image(const Project& project, const Robot& robot, bool with_parts,
+/// @param parts  as for make_project
+std::optional<ProvenImage> make_proven_image(const Project& project, const Robot& robot, const EmulatedParts* parts,
                                              Sources& sources, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -5,16 +5,15 @@
 #include "emulator/scenario/read.hpp"
 #include "generator/bus/bus_type.hpp"
 #include "generator/json/parse.hpp"
-#include "generator/run/parts.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
 namespace {
 
 /// The parts the robot hangs on the board, each at its place.
-std::vector<scenario::World::Part> parts_of(const Robot& robot) {
+std::vector<scenario::World::Part> parts_of(const EmulatedParts& hung) {
   Diagnostics none;
-  const auto tree = json::parse({"", "", emulated_parts(robot).scenario.dump()}, none);
+  const auto tree = json::parse({"", "", hung.scenario.dump()}, none);
   std::vector<scenario::World::Part> parts;
   for (const json::Value& entry : tree->find("parts")->items) {
     const std::string& type = entry.find("type")->text;
@@ -43,9 +42,9 @@ std::vector<std::string> ports_of(const Robot& robot) {
 
 }  // namespace
 
-scenario::World scenario_world(const Robot& robot, Duration duration) {
+scenario::World scenario_world(const Robot& robot, const EmulatedParts& parts, Duration duration) {
   scenario::World world;
-  world.parts = parts_of(robot);
+  world.parts = parts_of(parts);
   for (const Device& device : robot.devices) {
     const bool has_part = std::any_of(world.parts.begin(), world.parts.end(),
                                       [&](const auto& part) { return part.name == device.name.text; });
@@ -62,12 +61,12 @@ scenario::World scenario_world(const Robot& robot, Duration duration) {
   return world;
 }
 
-std::optional<Scenario> read_scenario(const std::string& path, const Robot& robot, Duration duration, Sources& sources,
-                                      Diagnostics& diagnostics) {
+std::optional<Scenario> read_scenario(const std::string& path, const Robot& robot, const EmulatedParts& parts,
+                                      Duration duration, Sources& sources, Diagnostics& diagnostics) {
   Scenario result;
   result.file = xml::read_source(path, sources, diagnostics);
   if (result.file == nullptr) return std::nullopt;
-  const auto tree = scenario::read(*result.file, scenario_world(robot, duration), diagnostics);
+  const auto tree = scenario::read(*result.file, scenario_world(robot, parts, duration), diagnostics);
   if (!tree) return std::nullopt;
   result.document = nlohmann::ordered_json::parse(result.file->text);
   result.last_event = nanoseconds(scenario::last_event_ns(*tree));

@@ -294,6 +294,29 @@ TEST_CASE("a test that was done and differs is not hidden by saying that it was 
   CHECK(read.differ == Names{"wire.spi_wrong_bytes"});
 }
 
+TEST_CASE("bounds of a robot whose code runs from SRAM are not those of its kit, which runs from flash") {
+  const TemporaryFolder folder;
+  for (const char* file : {"finsrov.urdf", "finsrov.timing.json"})
+    write_file(folder.path(file), read_file(source_path(std::string("examples/") + file)));
+  write_file(folder.path("record.txt"), R"({"schema":"finemote.bench/1","board":"robomaster_type_c","robot":"FinsROV",)"
+                                        R"("plan":"0","tests":[]})");
+  const auto limits = [&] {
+    const auto ran = run_finemote(
+        {"bench-kit", "--read", folder.path("record.txt"), "--robot", folder.path("finsrov.urdf"), "--format", "json"});
+    INFO(ran.output);
+    REQUIRE(ran.output.find('{') != std::string::npos);
+    const auto document = nlohmann::json::parse(ran.output.substr(ran.output.find('{')));
+    std::map<std::string, nlohmann::json> all;
+    for (const auto& test : document["tests"]) all[test["name"]] = test["expected"];
+    return all;
+  };
+  const auto with_bounds = limits();
+  REQUIRE(with_bounds.contains("release.cost_ns"));
+  CHECK(with_bounds.contains("stage.imu.update_ns"));
+  std::filesystem::remove(folder.path("finsrov.timing.json"));
+  CHECK(limits() == with_bounds);
+}
+
 TEST_CASE("what is no record is said, and so are words that go together badly") {
   const TemporaryFolder folder;
   write_file(folder.path("record.txt"), "garbage");

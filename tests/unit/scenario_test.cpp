@@ -51,7 +51,7 @@ struct Case {
   }
   /// As `run` knows it.
   scenario::World world() const {
-    scenario::World world = gen::scenario_world(*robot, gen::Duration::zero());
+    scenario::World world = gen::scenario_world(*robot, gen::emulated_parts(*robot, {}), gen::Duration::zero());
     world.duration_ns.reset();
     return world;
   }
@@ -185,14 +185,14 @@ TEST_CASE("the reference page has the tables made from the table") {
 TEST_CASE("what runs hang on the board keeps to the table of scenarios") {
   for (const char* robot : {"finsrov", "infantry", "six_joint_arm", "two_devices", "user_device"}) {
     const Case c = example(robot);
-    const Answer answer = check(gen::emulated_parts(*c.robot).scenario.dump(1), {});
+    const Answer answer = check(gen::emulated_parts(*c.robot, {}).scenario.dump(1), {});
     INFO(robot << "\n" << answer.text);
     CHECK(answer.good);
   }
   for (const char* robot : {"rover", "rig", "crane"}) {
     const std::string folder = kSource + "/tests/emulator/robots";
     const Case c(folder + "/" + robot + ".urdf", folder);
-    const Answer answer = check(gen::emulated_parts(*c.robot).scenario.dump(1), {});
+    const Answer answer = check(gen::emulated_parts(*c.robot, {}).scenario.dump(1), {});
     INFO(robot << "\n" << answer.text);
     CHECK(answer.good);
   }
@@ -308,7 +308,8 @@ TEST_CASE("a mistake in a scenario is found at its word") {
 
 TEST_CASE("parts that stand in each other's way are refused at the word") {
   const Case rov = example("finsrov");
-  const scenario::World world = gen::scenario_world(*rov.robot, gen::milliseconds(100));
+  const scenario::World world =
+      gen::scenario_world(*rov.robot, gen::emulated_parts(*rov.robot, {}), gen::milliseconds(100));
   const auto part = [](const std::string& members) { return with("\"parts\": [{" + members + "}]"); };
   const auto refused = [&](const std::string& members, unsigned code, const std::string& at, const std::string& words) {
     refuses(part(members), code, at, words, world);
@@ -347,7 +348,8 @@ TEST_CASE("parts that stand in each other's way are refused at the word") {
 
 TEST_CASE("an output is observed once, and a pulse of another part may be observed too") {
   const Case rov = example("finsrov");
-  const scenario::World world = gen::scenario_world(*rov.robot, gen::milliseconds(100));
+  const scenario::World world =
+      gen::scenario_world(*rov.robot, gen::emulated_parts(*rov.robot, {}), gen::milliseconds(100));
   const auto outputs = [](const std::string& first, const std::string& second) {
     const std::string output = R"({"type": "pwm_output", "pwm": "pwm", "name": )";
     return with("\"parts\": [" + output + first + "}, " + output + second + "}]");
@@ -400,7 +402,8 @@ TEST_CASE("what can happen and what can be looked at has a function that does it
 
 TEST_CASE("a fault at what the robot does not have is refused, as it would switch judging off for nothing") {
   const Case rov = example("finsrov");
-  const scenario::World world = gen::scenario_world(*rov.robot, gen::milliseconds(100));
+  const scenario::World world =
+      gen::scenario_world(*rov.robot, gen::emulated_parts(*rov.robot, {}), gen::milliseconds(100));
   refuses(event(R"("t_ns": 1, "port": "adc3", "do": "silent")"), 6007, "\"adc3", "uses the converter 'adc3'", world);
   refuses(event(R"("t_ns": 1, "port": "i2c2", "do": "nack", "address": 119, "times": 1)"), 6007, "119",
           "no part at 'i2c2' has address 119", world);
@@ -411,7 +414,7 @@ TEST_CASE("a fault at what the robot does not have is refused, as it would switc
   const std::string folder = kSource + "/tests/emulator/images/onboard";
   const Case onboard(folder + "/onboard.urdf", folder);
   CHECK(check(event(R"("t_ns": 1, "port": "adc3", "do": "silent")"),
-              gen::scenario_world(*onboard.robot, gen::nanoseconds(1)))
+              gen::scenario_world(*onboard.robot, gen::emulated_parts(*onboard.robot, {}), gen::nanoseconds(1)))
             .good);
 }
 
@@ -481,7 +484,7 @@ TEST_CASE("numbers may be written as JSON allows, with equal meaning") {
 TEST_CASE("a body is driven through composites, and what drives nothing is named") {
   const std::string folder = kSource + "/tests/emulator/composite_wheels";
   const Case c(folder + "/robot.urdf", folder);
-  const gen::EmulatedParts parts = gen::emulated_parts(*c.robot);
+  const gen::EmulatedParts parts = gen::emulated_parts(*c.robot, {});
   CHECK(parts.undriven.empty());
   const Json& body = parts.scenario["parts"][0];
   INFO(body.dump(1));
@@ -498,13 +501,13 @@ TEST_CASE("a body is driven through composites, and what drives nothing is named
   for (gen::Device& device : without.devices) {
     if (device.name.text == "front_left" || device.name.text == "rear_left_motor") device.joint.clear();
   }
-  const gen::EmulatedParts fewer = gen::emulated_parts(without);
+  const gen::EmulatedParts fewer = gen::emulated_parts(without, {});
   REQUIRE(fewer.undriven.size() == 1);
   CHECK(fewer.undriven[0].message == "on the emulated board only 2 wheels of 'chassis' drive the robot's body");
   CHECK(fewer.undriven[0].notes ==
         std::vector<std::string>{"'front_left' has no 'joint'", "'rear_left' has no 'joint'"});
   for (gen::Device& device : without.devices) device.joint.clear();
-  CHECK(gen::emulated_parts(without).undriven[0].message ==
+  CHECK(gen::emulated_parts(without, {}).undriven[0].message ==
         "on the emulated board no wheels of 'chassis' drive the robot's body");
-  CHECK(gen::emulated_parts(without).scenario["parts"][0]["type"] == "standing_body");
+  CHECK(gen::emulated_parts(without, {}).scenario["parts"][0]["type"] == "standing_body");
 }
