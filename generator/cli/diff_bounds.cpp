@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/model/streamed_frames.hpp"
@@ -25,6 +26,20 @@ void add_requirement_bounds(const timing::Timing& timing, Facts& facts) {
   }
 }
 
+/// Of every end the chain with the oldest data; one without a bound is older than any other. Requirements name further
+/// ones.
+std::map<Rank, const timing::ChainResult*> worst_chains(const timing::Timing& timing) {
+  const auto is_older = [](const timing::ChainResult& a, const timing::ChainResult& b) {
+    return b.end_to_end && (!a.end_to_end || *a.end_to_end > *b.end_to_end);
+  };
+  std::map<Rank, const timing::ChainResult*> worst;
+  for (const timing::ChainResult& chain : timing.chains) {
+    const timing::ChainResult*& known = worst[chain.to];
+    if (known == nullptr || is_older(chain, *known)) known = &chain;
+  }
+  return worst;
+}
+
 }  // namespace
 
 void add_bounds(const Analysis& analysis, Facts& facts) {
@@ -40,8 +55,9 @@ void add_bounds(const Analysis& analysis, Facts& facts) {
   for (const timing::BusPlace bus : timing.bus_loads.ids())
     facts[fmt::format("bounds of bus '{}'", timing.model.buses[bus].name)]["load"] =
         timing::percent(timing.bus_loads[bus].utilization);
-  for (const timing::ChainResult& chain : timing.chains) {
-    auto& bounds = facts[fmt::format("bounds of the command of '{}'", timing.model.devices[chain.to].name)];
+  for (const auto& [to, worst] : worst_chains(timing)) {
+    const timing::ChainResult& chain = *worst;
+    auto& bounds = facts[fmt::format("bounds of the command of '{}'", timing.model.devices[to].name)];
     bounds["oldest data from"] = timing.model.devices[chain.from].name;
     bounds["decide"] = timing::duration_text(chain.decide);
     bounds["end to end"] = timing::duration_text(chain.end_to_end);

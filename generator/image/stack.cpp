@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "generator/image/double_arithmetic.hpp"
 #include "generator/image/exception.hpp"
 #include "generator/image/program.hpp"
 #include "generator/image/schedule_layout.hpp"
@@ -124,8 +125,22 @@ class Analysis {
     return done_[address] = deepest;
   }
 
+  /// Arithmetic on 'double' is what its caller does.
+  void report(const std::string& problem, const std::string& name) {
+    const bool is_called = is_double_arithmetic(name) && trail_.size() > 1;
+    if (!is_called) {
+      fail(code::unbounded_stack, fmt::format("in '{}': {}", name, problem));
+      return;
+    }
+    const auto caller =
+        std::find_if(trail_.rbegin(), trail_.rend(), [](const std::string& n) { return !is_double_arithmetic(n); });
+    fail(code::unbounded_stack, fmt::format("in '{}': arithmetic on 'double' has no bound on this core",
+                                            caller == trail_.rend() ? name : *caller))
+        .hint(std::string(kInsteadOfDouble));
+  }
+
   Deepest deepest_of(const StackUse& use, const std::string& name) {
-    if (!use.problem.empty()) fail(code::unbounded_stack, fmt::format("in '{}': {}", name, use.problem));
+    if (!use.problem.empty()) report(use.problem, name);
     Deepest deepest{use.depth, {}};
     for (const StackUse::Call& call : use.calls) {
       for (const std::uint32_t target : targets_of(call.call, name)) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -27,7 +28,7 @@ std::string messages_of(const std::string& output) {
   std::string messages;
   for (std::string line; std::getline(lines, line);) {
     const bool is_progress = line.rfind("[", 0) == 0 || line.rfind("FAILED: ", 0) == 0 || line.rfind("ninja: ", 0) == 0;
-    const bool is_command = line.find(" -o CMakeFiles/") != std::string::npos;
+    const bool is_command = line.find(" -o CMakeFiles/") != std::string::npos || line.rfind(": && ", 0) == 0;
     if (!is_progress && !is_command) messages += line + "\n";
   }
   return messages;
@@ -62,6 +63,21 @@ bool is_too_large_for_sram(const std::string& output) {
   return says("board_sram.ld") && (says("region `CODE' overflowed") || says("region `CORE_RAM' overflowed"));
 }
 
+/// What newlib asks for where the code allocates: firmware has no heap, so it is not there.
+bool wants_heap(const std::string& output) {
+  return output.find("undefined reference to `_sbrk'") != std::string::npos;
+}
+
+/// Whole lines from the begin on, and how many were left out.
+std::string shortened(const std::string& output) {
+  constexpr std::size_t kMostShown = 4000;
+  if (output.size() <= kMostShown) return output;
+  const std::size_t last = output.rfind('\n', kMostShown);
+  const std::size_t end = last == std::string::npos ? kMostShown : last + 1;
+  const auto left = std::count(output.begin() + static_cast<std::ptrdiff_t>(end), output.end(), '\n');
+  return output.substr(0, end) + fmt::format("... and {} lines more\n", std::max<std::ptrdiff_t>(left, 1));
+}
+
 /// What a shell has set for other programs is none of the firmware's options.
 std::vector<std::string> build_environment() {
   return {"CCACHE_NOHASHDIR=1", "CXXFLAGS",     "CFLAGS",        "CPPFLAGS",
@@ -83,9 +99,10 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
       diagnostics.error(code::firmware_build_failed, {},
                         result.timed_out ? fmt::format("{} took longer than {} s", what, kLongestBuild.count())
                                          : fmt::format("{} failed", what));
-  constexpr std::size_t kMostShown = 4000;
   const std::string output = messages_of(result.output);
-  finding.note("\n" + output.substr(0, kMostShown));
+  finding.note("\n" + shortened(output));
+  if (wants_heap(output))
+    finding.hint("there is no heap: keep what std::vector, std::string or new would allocate in members of fixed size");
   if (is_too_large_for_sram(output))
     finding.hint("with its code in flash, where it has more room: <param name=\"code\">flash</param> in <board>");
   return false;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -30,6 +31,14 @@ Duration with_margin(Duration seen) {
 std::optional<MeasuredWcet> measured_wcet(DeviceId device, const Stages& seen) {
   if (!seen[0] || !seen[1]) return std::nullopt;
   return MeasuredWcet{device, with_margin(*seen[0]), with_margin(*seen[1])};
+}
+
+/// A device whose part is silent, or never came up, has not done its longest work.
+bool has_worked(const Device& device, const RunRecord& record) {
+  const auto is_in = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), device.name.text) != names.end();
+  };
+  return !is_in(record.silent) && !is_in(record.absent);
 }
 
 bool check(const Device& device, DeviceId index, const Wcet& given, const Stages& seen, Diagnostics& diagnostics) {
@@ -80,7 +89,8 @@ std::vector<MeasuredWcet> measured_wcets(const Robot& robot, const RunRecord& re
   std::vector<MeasuredWcet> list;
   for (const DeviceId i : robot.devices.ids()) {
     const auto measured = measured_wcet(i, seen[i]);
-    if (robot.devices[i].wcet.source == Wcet::Source::assumed && measured) list.push_back(*measured);
+    const bool is_assumed = robot.devices[i].wcet.source == Wcet::Source::assumed;
+    if (is_assumed && measured && has_worked(robot.devices[i], record)) list.push_back(*measured);
   }
   return list;
 }

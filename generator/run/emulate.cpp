@@ -114,6 +114,17 @@ std::map<std::string, double> declared_ppm(const Robot& robot) {
   return declared;
 }
 
+/// Devices on a bus for which neither the robot nor a scenario (null: none) has a part of that name.
+std::vector<std::string> silent_beside(const EmulatedParts& parts, const Scenario* scenario) {
+  std::vector<std::string> silent = parts.silent;
+  if (scenario == nullptr || !scenario->document.contains("parts")) return silent;
+  const Json& given = scenario->document.at("parts");
+  std::erase_if(silent, [&](const std::string& device) {
+    return std::any_of(given.begin(), given.end(), [&](const Json& part) { return part.value("name", "") == device; });
+  });
+  return silent;
+}
+
 void warn_of_misuse(const Json& record, Diagnostics& diagnostics) {
   for (const Json& report : record.at("reports")) {
     diagnostics.warning(
@@ -200,7 +211,8 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   if (is_stopped_later(json, robot, options.faults, diagnostics)) return std::nullopt;
   warn_of_misuse(json, diagnostics);
   RunRecord record = read_record(json, robot, forest);
-  record.silent = options.parts.silent;
+  record.silent = silent_beside(options.parts, options.scenario);
+  record.judged_for = std::max(duration, last_event - record.ready);
   record.has_events = options.scenario != nullptr;
   record.clock_ppm = clock_ppm;
   record.flash = flash;

@@ -112,6 +112,7 @@ struct Violation {
 struct RunRecord {
   Duration ready;                          ///< end of bring-up, since the first release: bounds hold from then on
   std::vector<std::string> absent;         ///< parts that never came up
+  Duration judged_for;                     ///< from then on: as long as was asked for, or as the scenario lasts
   double clock_ppm = 0;                    ///< how much too fast the board's clock ran, which counts all times here
   std::vector<Event> events;               ///< in time order
   std::vector<OwnTime> own_times;          ///< of stages that ran; emulated board only

@@ -236,7 +236,9 @@ void print_image(const ImageFacts& image, std::ostream& out) {
 }
 
 void print_run(const RunResult& result, bool is_verbose, std::ostream& out) {
-  out << fmt::format("{} on {}, {}\n", result.robot.name.text, result.board, period_text(result.duration));
+  const Duration lasted = std::max(result.duration, round_up(result.record.judged_for, microseconds(1)));
+  out << fmt::format("{} on {}, {}{}\n", result.robot.name.text, result.board, period_text(lasted),
+                     lasted > result.duration ? ", as long as the scenario lasts" : "");
   if (result.must_judge)
     out << fmt::format("judged from {:.3f} ms on, when every part had been seen{}\n",
                        milliseconds_of(result.record.ready), missing_text(result));

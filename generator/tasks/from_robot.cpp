@@ -24,6 +24,14 @@ std::int64_t words_of(const Crossing& crossing) {
 }
 
 /// As the board's clock counts it.
+/// What a part sends goes into the state that others see, some time after it was so.
+bool is_of_unknown_age(const gen::Device& device) {
+  if (device.type == nullptr || device.type->acquisition || device.type->provides.empty()) return false;
+  const auto brings = [](const Frame& frame) { return frame.read_bytes > 0 || frame.stage == FrameStage::autonomous; };
+  const std::vector<Frame> frames = device.type->frames.value_or(std::vector<Frame>());
+  return std::any_of(frames.begin(), frames.end(), brings);
+}
+
 std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device& device) {
   if (device.type == nullptr || !device.type->acquisition) return {};
   const gen::Acquisition& given = *device.type->acquisition;
@@ -80,6 +88,7 @@ Device make_device(const Robot& robot, const Forest& forest, DeviceId id, const 
   for (const Read& r : device.reads) out.reads.push_back(forest.rank[r.device]);
   add_roles(robot, forest, device, out);
   out.acquisition = acquisition_of(robot, device);
+  out.is_of_unknown_age = is_of_unknown_age(device);
   return out;
 }
 

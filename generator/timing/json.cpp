@@ -89,6 +89,7 @@ Json device_json(const Model& model, const Device& d) {
   add_if(out, "handle_extra_ns", d.handle_extra);
   add_if(out, "output_ns", d.output);
   if (!d.takes_command) out["takes_command"] = false;
+  if (d.is_of_unknown_age) out["is_of_unknown_age"] = true;
   for (const Rank r : d.reads) out["reads"].push_back(model.devices[r].name);
   if (d.acquisition) {
     Json& a = out["acquisition"] = Json{{"fixed_ns", d.acquisition->fixed.ns()}};

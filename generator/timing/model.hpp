@@ -129,6 +129,7 @@ struct Device {
   std::vector<Rank> ends_here;
   std::string role;  ///< in the parent; empty: not known
   std::optional<Acquisition> acquisition;
+  bool is_of_unknown_age = false;  ///< its part sends it something, and nothing says how old that is
   std::vector<Transfer> transfers;
   /// Buses over which it may send what is not among its transfers: nothing that goes over them has a bound.
   std::vector<BusPlace> undeclared;

@@ -123,6 +123,7 @@ struct ModelReader::Tables {
       {"handle_extra_ns", Need::target, &Device::handle_extra},
       {"output_ns", Need::target, &Device::output},
       {"takes_command", Need::target, &Device::takes_command},
+      {"is_of_unknown_age", Need::target, &Device::is_of_unknown_age},
       {"reads", Need::target, Each<Device>{&ModelReader::read_observed}},
       {"acquisition", Need::target, Whole<Device>{&ModelReader::read_acquisition}},
       {"transfers", Need::target, Each<Device>{&ModelReader::read_transfer}},

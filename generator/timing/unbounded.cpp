@@ -23,8 +23,9 @@ struct Cause {
   std::optional<Duration> period;  ///< of a bucket that may miss its deadline
   std::optional<BusPlace> bus;     ///< else: where a message may wait without end, or longer than until the next
   Rank device;                     ///< whose bucket or message it is
+  std::optional<Rank> ageless = std::nullopt;  ///< of which nobody knows how old its data are
   friend bool operator==(const Cause& a, const Cause& b) {
-    return a.part == b.part && a.period == b.period && a.bus == b.bus;
+    return a.part == b.part && a.period == b.period && a.bus == b.bus && a.ageless == b.ageless;
   }
 };
 
@@ -42,13 +43,20 @@ std::vector<Cause> causes(const Timing& timing, const ChainResult& chain) {
     if (const auto late = late_bucket(timing, part, on)) return list.push_back(*late);
     list.push_back({part, std::nullopt, bus, on.front()});
   };
-  if (!chain.acquire) look(ChainPart::acquire, {chain.from}, sample_bus(timing.model, chain.from));
+  if (timing.model.devices[chain.from].is_of_unknown_age) {
+    list.push_back({ChainPart::acquire, std::nullopt, std::nullopt, chain.from, chain.from});
+  } else if (!chain.acquire) {
+    look(ChainPart::acquire, {chain.from}, sample_bus(timing.model, chain.from));
+  }
   if (!chain.decide) look(ChainPart::decide, devices_between(timing.model, chain), std::nullopt);
   if (!chain.wire) look(ChainPart::wire, {chain.to}, command_bus(timing.model, chain.to));
   return list;
 }
 
 std::string why(const Timing& timing, const Cause& cause) {
+  if (cause.ageless)
+    return fmt::format("the part of '{}' sends it something, and its type does not say how old that is ('acquisition')",
+                       timing.model.devices[*cause.ageless].name);
   if (cause.period && timing.verdict().release && timing.verdict().release->is_guilty()) return "releases can be lost";
   if (cause.period) return bucket_text(*cause.period) + " may miss their deadline";
   if (!cause.bus) return "another device on the way may miss its deadline";
@@ -78,6 +86,7 @@ std::size_t still_missing(const Timing& after, const Timing& before, ChainPart p
 
 std::vector<std::string> restored_by(const Timing& timing, const Cause& cause, const std::vector<std::size_t>& chains,
                                      Trials& trials) {
+  if (cause.ageless) return {};
   if (!cause.bus || !undeclared_text(timing.model, *cause.bus).empty()) return {};  // the hints of FM4015
   const Goal goal{[&](const Timing& t) { return static_cast<double>(still_missing(t, timing, cause.part, chains)); }, 0,
                   true};

@@ -123,6 +123,7 @@ std::optional<Duration> WireAnalysis::command(Rank to) const {
 
 std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
   const Device& device = model_.devices[from];
+  if (device.is_of_unknown_age) return std::nullopt;
   if (!device.acquisition) return Duration::zero();
   if (!device.undeclared.empty()) return std::nullopt;
   const Acquisition& a = *device.acquisition;

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "generator/image/double_arithmetic.hpp"
 #include "generator/image/exception.hpp"
 #include "generator/wcet/certificate.hpp"
 #include "generator/wcet/events.hpp"
@@ -22,16 +23,13 @@ std::string name_of(const ProgramFunction* function) {
   return function == nullptr ? std::string("?") : readable_name(function->symbol->name);
 }
 
-/// Run-time ABI for the Arm architecture (IHI 0043), 4.1.2.
-bool is_double_arithmetic(const std::string& function) { return function.rfind("__aeabi_d", 0) == 0; }
-
 /// Arithmetic on 'double' is what its caller does, wherever in it the way was lost.
 void blame_caller(TimeGap& gap) {
   while (is_double_arithmetic(gap.function) && !gap.calls.empty()) {
     gap.address = gap.calls.front().address;
     gap.function = gap.calls.front().function;
     gap.calls.erase(gap.calls.begin());
-    gap.why = "arithmetic on 'double' has no bound on this core: use 'float', and write constants as 0.5F";
+    gap.why = fmt::format("arithmetic on 'double' has no bound on this core: {}", kInsteadOfDouble);
   }
 }
 
