@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "generator/index/ids.hpp"
+#include "generator/model/robot.hpp"
 
 namespace finemote::gen {
 

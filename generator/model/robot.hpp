@@ -111,7 +111,7 @@ struct Device {
   std::vector<Read> reads;         ///< document order
   std::vector<DeviceId> children;  ///< document order of start tags (nested and `parent=` together)
   Wcet wcet;
-  Position at;                           ///< start tag
+  Position at;  ///< start tag
   Position period_at;
 };
 

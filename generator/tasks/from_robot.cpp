@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/model/conversion.hpp"
 #include "generator/model/part_clock.hpp"
 #include "generator/model/sample_interval.hpp"
@@ -24,12 +25,35 @@ std::int64_t words_of(const Crossing& crossing) {
 }
 
 /// As the board's clock counts it.
+bool brings(const Frame& frame) { return frame.read_bytes > 0 || frame.stage == FrameStage::autonomous; }
+
 /// What a part sends goes into the state that others see, some time after it was so.
-bool is_of_unknown_age(const gen::Device& device) {
-  if (device.type == nullptr || device.type->acquisition || device.type->provides.empty()) return false;
-  const auto brings = [](const Frame& frame) { return frame.read_bytes > 0 || frame.stage == FrameStage::autonomous; };
-  const std::vector<Frame> frames = device.type->frames.value_or(std::vector<Frame>());
-  return std::any_of(frames.begin(), frames.end(), brings);
+bool has_no_acquisition(const DeviceType& type) {
+  const std::vector<Frame> frames = type.frames.value_or(std::vector<Frame>());
+  return !type.acquisition && !type.provides.empty() && std::any_of(frames.begin(), frames.end(), brings);
+}
+
+/// A slot takes one transfer at a time. Between update() and handle() of one job nothing lets the first one end; and
+/// what update() cannot send for a handle() before it, it may send in place of a question.
+bool may_find_slot_busy(const Robot& robot, const gen::Device& device) {
+  const DeviceType& type = *device.type;
+  const bool has_slot =
+      device.segment && bus_type(robot.segments[*device.segment].bus_kind).reach == BusType::Reach::slot;
+  if (!has_slot || !type.acquisition || type.acquisition->published_every > 1) return false;
+  const std::vector<Frame> frames = type.frames_over("");
+  const auto any = [&](FrameStage stage, bool reads) {
+    return std::any_of(frames.begin(), frames.end(),
+                       [&](const Frame& f) { return f.stage == stage && (f.read_bytes > 0) == reads; });
+  };
+  const bool in_update = any(FrameStage::update, true), in_handle = any(FrameStage::handle, true);
+  const bool sends_in_update = any(FrameStage::update, false), sends_in_handle = any(FrameStage::handle, false);
+  return (in_handle && (in_update || sends_in_update)) || (in_update && sends_in_update && sends_in_handle);
+}
+
+UnknownAge unknown_age(const Robot& robot, const gen::Device& device) {
+  if (device.type == nullptr) return UnknownAge::none;
+  if (has_no_acquisition(*device.type)) return UnknownAge::no_acquisition;
+  return may_find_slot_busy(robot, device) ? UnknownAge::busy_slot : UnknownAge::none;
 }
 
 std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device& device) {
@@ -88,7 +112,7 @@ Device make_device(const Robot& robot, const Forest& forest, DeviceId id, const 
   for (const Read& r : device.reads) out.reads.push_back(forest.rank[r.device]);
   add_roles(robot, forest, device, out);
   out.acquisition = acquisition_of(robot, device);
-  out.is_of_unknown_age = is_of_unknown_age(device);
+  out.unknown_age = unknown_age(robot, device);
   return out;
 }
 

@@ -85,6 +85,7 @@ Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimin
   result.keeps_one_release = true;
   result.source = WcetSource::assumed;
   if (robot.computed) take_computed(*robot.computed, schedule, costs.job(), result);
+  if (options.trace || options.monitor) result.masked = std::max(result.masked, costs.masked_section);
   if (options.trace) result.stage += 2 * costs.trace_event;
   if (options.monitor) result.job += monitor_cost(costs.monitor_job);
   return result;

@@ -131,8 +131,7 @@ void Traffic::mark_late_commands(const gen::Device& device, Rank place) {
   const bool is_sent = std::any_of(own.transfers.begin(), own.transfers.end(), [](const auto& t) { return t.command; });
   for (Transfer& transfer : own.transfers) {
     const bool is_late = transfer.after == Transfer::After::update && transfer.writes;
-    const bool may_wait = own.takes_command && !model_.buses[transfer.bus].arbitrated;
-    if (is_late && (!is_sent || may_wait)) transfer.command = true;
+    if (is_late && (!is_sent || own.takes_command)) transfer.command = true;
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "generator/timing/explain.hpp"
 #include "generator/timing/operands.hpp"
+#include "generator/timing/shares.hpp"
 #include "generator/timing/table.hpp"
 #include "generator/timing/unbounded.hpp"
 #include "generator/timing/words.hpp"
@@ -30,6 +31,7 @@ RequirementResult evaluate_load(const Model& model, const ProfileAnalysis& profi
   RequirementResult result;
   result.requirement = r;
   if (r.kind == Requirement::Kind::utilization) {
+    if (r.bus && !undeclared_text(model, *r.bus).empty()) return result;
     result.fraction = r.bus ? loads[*r.bus].utilization : processor_share(profile.set);
     result.ok = *result.fraction <= r.max_fraction;
     return result;

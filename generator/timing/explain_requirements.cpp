@@ -61,6 +61,8 @@ std::string message_of(const RequirementResult& r) {
                        percent_above(*r.fraction, r.requirement.max_fraction),
                        exact_percent(r.requirement.max_fraction));
   }
+  if (r.requirement.kind == Requirement::Kind::utilization)
+    return fmt::format("{} has no bound, its max is {}", what, exact_percent(r.requirement.max_fraction));
   const std::string max = readable_duration(r.requirement.max);
   return r.value ? fmt::format("{} is up to {}, above its max of {}", what, readable_duration(*r.value), max)
                  : fmt::format("{} has no bound, its max is {}", what, max);
@@ -68,6 +70,10 @@ std::string message_of(const RequirementResult& r) {
 
 void explain_utilization(const Timing& timing, const RequirementResult& r, Diagnostic& finding) {
   std::vector<Share> shares;
+  if (r.requirement.bus && !r.fraction) {
+    finding.note(undeclared_text(timing.model, *r.requirement.bus));
+    return;
+  }
   if (r.requirement.bus) {
     finding.note(shares_text(bus_shares(timing.model, *r.requirement.bus)));
     return;

@@ -89,7 +89,7 @@ Json device_json(const Model& model, const Device& d) {
   add_if(out, "handle_extra_ns", d.handle_extra);
   add_if(out, "output_ns", d.output);
   if (!d.takes_command) out["takes_command"] = false;
-  if (d.is_of_unknown_age) out["is_of_unknown_age"] = true;
+  if (d.unknown_age != UnknownAge::none) out["unknown_age"] = word_of(d.unknown_age, kUnknownAgeWords);
   for (const Rank r : d.reads) out["reads"].push_back(model.devices[r].name);
   if (d.acquisition) {
     Json& a = out["acquisition"] = Json{{"fixed_ns", d.acquisition->fixed.ns()}};
@@ -203,7 +203,7 @@ Json requirement_json(const RequirementResult& r) {
   Json out{{"kind", kind_name(wanted.kind)}, {"text", wanted.text}};
   if (wanted.kind == Requirement::Kind::latency_decision) out["of"] = "decision";
   out["max"] = share ? Json(wanted.max_fraction) : Json(wanted.max.ns());
-  out["value"] = share ? Json(*r.fraction) : number(r.value);
+  out["value"] = r.fraction ? Json(*r.fraction) : number(r.value);
   out["slack"] = slack_json(r);
   out["ok"] = r.ok;
   out["where"] =

@@ -78,6 +78,13 @@ struct Bus {
   [[nodiscard]] bool carries_bits() const { return baud_bps > 1; }
 };
 
+/// Why nobody knows how old the data of a device are, where its part sends it some.
+enum class UnknownAge {
+  none,            ///< it is known, or there are none
+  no_acquisition,  ///< nothing says so
+  busy_slot,       ///< a measurement may find its slot taken by what another stage of the device sends
+};
+
 /// Use of a bus once per period of the device (or, sent by the part itself, once per interval). Everything that waits
 /// for a bus is taken in rate-monotonic order (where the bus is not arbitrated), a begun transfer runs to its end.
 struct Transfer {
@@ -129,7 +136,7 @@ struct Device {
   std::vector<Rank> ends_here;
   std::string role;  ///< in the parent; empty: not known
   std::optional<Acquisition> acquisition;
-  bool is_of_unknown_age = false;  ///< its part sends it something, and nothing says how old that is
+  UnknownAge unknown_age = UnknownAge::none;
   std::vector<Transfer> transfers;
   /// Buses over which it may send what is not among its transfers: nothing that goes over them has a bound.
   std::vector<BusPlace> undeclared;

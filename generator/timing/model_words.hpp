@@ -21,6 +21,9 @@ inline constexpr Word<InterruptCause> kCauseWords[] = {{InterruptCause::clock, "
                                                        {InterruptCause::transfer, "transfer"},
                                                        {InterruptCause::look, "look"}};
 
+inline constexpr Word<UnknownAge> kUnknownAgeWords[] = {
+    {UnknownAge::none, "none"}, {UnknownAge::no_acquisition, "no_acquisition"}, {UnknownAge::busy_slot, "busy_slot"}};
+
 template <class Kind, std::size_t kCount>
 constexpr std::string_view word_of(Kind kind, const Word<Kind> (&words)[kCount]) {
   for (const auto& [value, word] : words) {

@@ -38,6 +38,7 @@ class ModelReader {
   void read_acquisition(Device& device, const Value& v);
   void read_transfer(Device& device, const Value& v);
   void read_undeclared(Device& device, const Value& v);
+  void read_unknown_age(Device& device, const Value& v);
   void read_transfer_bus(Transfer& transfer, const Value& v);
   void read_after(Transfer& transfer, const Value& v);
   void read_cause(FrameBudget& budget, const Value& v);
@@ -123,7 +124,7 @@ struct ModelReader::Tables {
       {"handle_extra_ns", Need::target, &Device::handle_extra},
       {"output_ns", Need::target, &Device::output},
       {"takes_command", Need::target, &Device::takes_command},
-      {"is_of_unknown_age", Need::target, &Device::is_of_unknown_age},
+      {"unknown_age", Need::target, Whole<Device>{&ModelReader::read_unknown_age}},
       {"reads", Need::target, Each<Device>{&ModelReader::read_observed}},
       {"acquisition", Need::target, Whole<Device>{&ModelReader::read_acquisition}},
       {"transfers", Need::target, Each<Device>{&ModelReader::read_transfer}},
@@ -326,6 +327,10 @@ void ModelReader::read_acquisition(Device& device, const Value& v) {
 
 void ModelReader::read_undeclared(Device& device, const Value& v) {
   if (const auto bus = find_bus(values_.text(v, "a device", "undeclared"), v)) device.undeclared.push_back(*bus);
+}
+
+void ModelReader::read_unknown_age(Device& device, const Value& v) {
+  device.unknown_age = values_.one_of(v, "a device", "unknown_age", kUnknownAgeWords);
 }
 
 void ModelReader::read_transfer(Device& device, const Value& v) {

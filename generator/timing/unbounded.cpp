@@ -43,7 +43,7 @@ std::vector<Cause> causes(const Timing& timing, const ChainResult& chain) {
     if (const auto late = late_bucket(timing, part, on)) return list.push_back(*late);
     list.push_back({part, std::nullopt, bus, on.front()});
   };
-  if (timing.model.devices[chain.from].is_of_unknown_age) {
+  if (timing.model.devices[chain.from].unknown_age != UnknownAge::none) {
     list.push_back({ChainPart::acquire, std::nullopt, std::nullopt, chain.from, chain.from});
   } else if (!chain.acquire) {
     look(ChainPart::acquire, {chain.from}, sample_bus(timing.model, chain.from));
@@ -53,10 +53,18 @@ std::vector<Cause> causes(const Timing& timing, const ChainResult& chain) {
   return list;
 }
 
-std::string why(const Timing& timing, const Cause& cause) {
-  if (cause.ageless)
+std::string unknown_age_text(const Device& device) {
+  if (device.unknown_age == UnknownAge::no_acquisition)
     return fmt::format("the part of '{}' sends it something, and its type does not say how old that is ('acquisition')",
-                       timing.model.devices[*cause.ageless].name);
+                       device.name);
+  return fmt::format(
+      "a measurement of '{}' may find its slot taken by what another stage sends: its type does not say how many in a "
+      "row ('published_every' of 'acquisition')",
+      device.name);
+}
+
+std::string why(const Timing& timing, const Cause& cause) {
+  if (cause.ageless) return unknown_age_text(timing.model.devices[*cause.ageless]);
   if (cause.period && timing.verdict().release && timing.verdict().release->is_guilty()) return "releases can be lost";
   if (cause.period) return bucket_text(*cause.period) + " may miss their deadline";
   if (!cause.bus) return "another device on the way may miss its deadline";

@@ -121,11 +121,25 @@ std::optional<Duration> WireAnalysis::command(Rank to) const {
   return worst;
 }
 
+/// Whether what handle() sends may still take the slot when the next update() wants to ask.
+bool WireAnalysis::is_in_the_way(Rank from) const {
+  const Device& device = model_.devices[from];
+  const auto asks = [&](const Transfer& t) { return t.after == Transfer::After::update && t.reads; };
+  const auto question = std::find_if(device.transfers.begin(), device.transfers.end(), asks);
+  if (question == device.transfers.end() || device.acquisition->every > 1) return false;
+  for (std::size_t t = 0; t < device.transfers.size(); ++t) {
+    const Transfer& other = device.transfers[t];
+    if (other.after != Transfer::After::handle || other.bus != question->bus) continue;
+    const auto bound = transfers_.of(from, t);
+    if (!bound || profile_.responses.r_minus[from] + *bound > device.period) return true;
+  }
+  return false;
+}
+
 std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
   const Device& device = model_.devices[from];
-  if (device.is_of_unknown_age) return std::nullopt;
+  if (device.unknown_age != UnknownAge::none || !device.undeclared.empty()) return std::nullopt;
   if (!device.acquisition) return Duration::zero();
-  if (!device.undeclared.empty()) return std::nullopt;
   const Acquisition& a = *device.acquisition;
   if (a.periods == 0) {
     Duration wire;
@@ -138,7 +152,7 @@ std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
     return a.fixed + a.interval + wire + profile_.set.blocking;
   }
   const std::size_t w = profile_.set.bucket_of[from];
-  if (!profile_.responses.ok(w)) return std::nullopt;
+  if (!profile_.responses.ok(w) || is_in_the_way(from)) return std::nullopt;
   Duration busy;  // from the release on, until what was asked for has come
   for (std::size_t t = 0; t < device.transfers.size(); ++t) {
     const Transfer& transfer = device.transfers[t];

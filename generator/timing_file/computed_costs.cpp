@@ -22,13 +22,23 @@ Duration find_or_zero(const std::map<std::string, Duration>& times, const char* 
   return found == times.end() ? Duration::zero() : found->second;
 }
 
+/// `can.b.CAN1_RX0` is of the bus `can.b`, where there is one, and not of `can`.
 std::optional<BusId> bus_of(const LineBounds& line, const Robot& robot) {
   const std::string_view source = line.source;
+  std::optional<BusId> found;
   for (const BusId bus : robot.buses.ids()) {
     const std::string& name = robot.buses[bus].name.text;
-    if (source.size() > name.size() && source.substr(0, name.size()) == name && source[name.size()] == '.') return bus;
+    const bool is_named = source.size() > name.size() && source.substr(0, name.size()) == name;
+    const bool is_longer = !found || name.size() > robot.buses[*found].name.text.size();
+    if (is_named && source[name.size()] == '.' && is_longer) found = bus;
   }
-  return std::nullopt;
+  return found;
+}
+
+/// The longest of each number of frames.
+void take_requests(const std::vector<Duration>& requests, std::vector<Duration>& all) {
+  if (all.size() < requests.size()) all.resize(requests.size());
+  for (std::size_t i = 0; i < requests.size(); ++i) all[i] = std::max(all[i], requests[i]);
 }
 
 void take_line(const LineBounds& line, const Robot& robot, ComputedCosts& costs) {
@@ -42,14 +52,14 @@ void take_line(const LineBounds& line, const Robot& robot, ComputedCosts& costs)
     Duration& longest = costs.routines[{*bus, counts}];
     longest = std::max(longest, line.raised_by.at(word));
   }
-  if (!line.requests.empty()) costs.requests[*bus] = line.requests;
+  if (!line.requests.empty()) take_requests(line.requests, costs.requests[*bus]);
 }
 
 }  // namespace
 
 std::optional<ComputedCosts> computed_costs(const TimingFile& file, const Robot& robot) {
   const SchedulerBounds& bounds = file.scheduler;
-  if (!file.is_complete || !bounds.release || !bounds.masked) return std::nullopt;
+  if (!file.is_complete || !bounds.release || !bounds.masked || bounds.behind.empty()) return std::nullopt;
   for (const char* word : {cost_words::kRelease, cost_words::kReceived, cost_words::kEvent}) {
     if (bounds.retries.count(word) == 0) return std::nullopt;
   }
@@ -61,7 +71,6 @@ std::optional<ComputedCosts> computed_costs(const TimingFile& file, const Robot&
     const auto before = bounds.before.find(device.name.text);
     const StageBounds stages = before == bounds.before.end() ? StageBounds{} : before->second;
     costs.before.push_back({stages.update.value_or(Duration::zero()), stages.handle.value_or(Duration::zero())});
-    if (costs.behind.count(device.period) == 0) return std::nullopt;
   }
   for (const LineBounds& line : file.lines) take_line(line, robot, costs);
   costs.retries = {find_or_zero(bounds.retries, cost_words::kRelease),

@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 
 /// Files at most: somebody may include a file of another name in every file.
 constexpr std::size_t kMostFiles = 10'000;
+/// Folders in each other: a link may lead back.
+constexpr unsigned kMostLevels = 8;
 /// Of a file: what is larger is data, and no source.
 constexpr std::size_t kMostBytes = std::size_t{8} << 20;
 
@@ -34,7 +36,7 @@ bool skip(std::string_view& line, std::string_view word) {
 }
 
 struct Name {
-  std::string text;
+  std::string text;        ///< empty: of any file, for nothing here tells which
   bool is_quoted = false;  ///< else it is in brackets, and is not looked for beside the file
 };
 
@@ -68,7 +70,16 @@ void add_names_in(std::string_view line, std::vector<Name>& names) {
   } else if (!skip(line, "include_next") && !skip(line, "include") && !skip(line, "import")) {
     return add_asked_for(line, names);
   }
-  if (auto name = quoted_name(line, is_macro)) names.push_back(std::move(*name));
+  if (auto name = quoted_name(line, is_macro)) {
+    names.push_back(std::move(*name));
+  } else if (!is_macro && line.find('(') != std::string_view::npos) {
+    names.emplace_back();  // what a macro makes of its arguments
+  }
+}
+
+/// Whether an assembler reads further files.
+bool reads_by_assembler(std::string_view text) {
+  return text.find(".incbin") != std::string_view::npos || text.find(".include") != std::string_view::npos;
 }
 
 std::vector<Name> names_in(const std::string& text) {
@@ -76,6 +87,7 @@ std::vector<Name> names_in(const std::string& text) {
   std::vector<Name> names;
   std::istringstream lines(logical_lines(text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text));
   for (std::string line; std::getline(lines, line);) add_names_in(line, names);
+  if (reads_by_assembler(text)) names.emplace_back();
   return names;
 }
 
@@ -99,9 +111,28 @@ class Search {
   }
 
   void find(const Name& name, const fs::path& by) {
+    if (name.text.empty()) return take_all(by);
     if (name.is_quoted && !by.empty() && take(name.text, by.parent_path() / name.text)) return;
     for (const std::string& folder : folders_) {
       if (take(name.text, fs::path(folder) / name.text)) return;
+    }
+  }
+
+  /// Every file beside the one that includes and in the folders, and below them.
+  void take_all(const fs::path& by) {
+    for (const std::string& folder : folders_) take_below(folder, {}, kMostLevels);
+    if (!by.empty()) take_below(by.parent_path(), {}, kMostLevels);
+  }
+
+  void take_below(const fs::path& folder, const fs::path& way, unsigned levels_left) {
+    files::Denial denial;
+    for (const std::string& entry : access_.list((folder / way).string(), denial)) {
+      const fs::path path = folder / way / entry;
+      if (!access_.holds_folder(path.string())) {
+        take((way / entry).generic_string(), path);
+      } else if (levels_left > 0) {
+        take_below(folder, way / entry, levels_left - 1);
+      }
     }
   }
 

@@ -1,6 +1,7 @@
 #include "generator/timing_file/logical_lines.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace finemote::gen {
 namespace {
@@ -29,6 +30,28 @@ std::size_t end_of_literal(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
+/// Whether the quote at `at` begins a raw string: `R"`, `u8R"` and the like.
+bool is_raw(std::string_view text, std::size_t at) {
+  const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  std::size_t begin = at;
+  while (begin > 0 && is_of_word(text[begin - 1])) --begin;
+  const std::string_view prefix = text.substr(begin, at - begin);
+  return prefix == "R" || prefix == "u8R" || prefix == "uR" || prefix == "UR" || prefix == "LR";
+}
+
+/// Where the raw string whose quote is at `at` ends: behind the same word as it began with.
+std::size_t end_of_raw(std::string_view text, std::size_t at) {
+  const std::size_t open = text.find('(', at);
+  if (open == std::string_view::npos) return text.size();
+  const std::string closing = ")" + std::string(text.substr(at + 1, open - at - 1)) + '"';
+  const std::size_t end = text.find(closing, open);
+  return end == std::string_view::npos ? text.size() : end + closing.size();
+}
+
+std::size_t end_of_quoted(std::string_view text, std::size_t at) {
+  return text[at] == '"' && is_raw(text, at) ? end_of_raw(text, at) : end_of_literal(text, at);
+}
+
 std::size_t end_of_comment(std::string_view text, std::size_t begin) {
   const bool is_line = text[begin + 1] == '/';
   const std::size_t end = text.find(is_line ? "\n" : "*/", begin + 2);
@@ -44,7 +67,7 @@ std::string logical_lines(std::string_view text) {
   for (std::size_t i = 0; i < whole.size();) {
     const bool is_comment = whole[i] == '/' && i + 1 < whole.size() && (whole[i + 1] == '/' || whole[i + 1] == '*');
     const bool is_literal = whole[i] == '"' || whole[i] == '\'';
-    const std::size_t end = is_comment ? end_of_comment(whole, i) : is_literal ? end_of_literal(whole, i) : i + 1;
+    const std::size_t end = is_comment ? end_of_comment(whole, i) : is_literal ? end_of_quoted(whole, i) : i + 1;
     out += is_comment ? " " : whole.substr(i, end - i);
     i = end;
   }

@@ -171,8 +171,11 @@ TEST_CASE("a file is an input of a timing file however its name stands in the di
   const std::string source = read_file(one.path("devices/counter.hpp"));
   for (const char* directive :
        {"#include /* which */ \"body.inc\"", "/* a comment\n over lines */ #include \"body.inc\"",
-        "%:include \"body.inc\"", "#inc\\\nlude \"body.inc\"",
-        "#if defined(NO) || __has_include(\"body.inc\")\n#endif"}) {
+        "%:include \"body.inc\"", "#inc\\\nlude \"body.inc\"", "#if defined(NO) || __has_include(\"body.inc\")\n#endif",
+        "inline const char* words = R\"x(say \"a/*\")x\";\n#include \"body.inc\"",
+        "#define TEXT(x) #x\n#define TABLE(name) TEXT(name.inc)\n#include TABLE(body)",
+        "#define TEXT(x) #x\n#define TABLE(name) TEXT(../devices/name.inc)\n#include TABLE(body)",
+        "inline const char* words = \".incbin\";"}) {
     CAPTURE(directive);
     write_file(one.path("devices/counter.hpp"), std::string(directive) + "\n" + source);
     write_file(one.path("devices/body.inc"), "// one\n");
@@ -227,8 +230,26 @@ TEST_CASE("another period or another device makes it stale, another comment does
   const OneRobot one;
   one.describe("<!-- nothing -->");
   CHECK(told_by({"analyze", one.robot(), "--require-static"}).status == 0);
+  const auto release = [&] { return told_by({"analyze", one.robot()}).document["model"]["costs"]["release_ns"]; };
+  const Json of_image = release();
   one.describe("", "4ms");
   CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
+  CHECK(release() == of_image);  // stale costs stay: those of the board file are lower
+}
+
+TEST_CASE("__FILE__ in a user's header is as long wherever the robot lies") {
+  const OneRobot one;
+  const auto bound_with = [&](const std::string& rounds) {
+    write_file(one.path("devices/counter.hpp"),
+               "#pragma once\nclass Counter {\n public:\n  constexpr Counter() = default;\n"
+               "  void update() { for (unsigned i = 0; i < " +
+                   rounds +
+                   "; ++i) sum_ = sum_ + i; }\n"
+                   "  void handle() {}\n private:\n  unsigned volatile sum_ = 0;\n};\n");
+    REQUIRE(run_finemote({"wcet", one.robot(), "-o", one.timing_file()}).exit_status == 0);
+    return bound_of(one, "update");
+  };
+  CHECK(bound_with("sizeof __FILE__") == bound_with("sizeof \"devices/counter.hpp\""));
 }
 
 TEST_CASE("a declared time counts where it is above the bound, and is an answer of no where it is below") {

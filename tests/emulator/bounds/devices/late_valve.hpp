@@ -7,7 +7,7 @@
 
 namespace my {
 
-/// handle() asks whether the valve is there; update() sends what the job before was commanded.
+/// handle() wakes the valve; update() sends what the job before was commanded.
 class LateValve {
  public:
   constexpr explicit LateValve(finemote::I2cSlot& slot) : slot_(&slot) {}
@@ -19,7 +19,7 @@ class LateValve {
   }
   void handle() {
     next_ = static_cast<std::uint8_t>(command.angle * kSteps);
-    if (!slot_->busy()) slot_->start(&register_, 1, answer_, sizeof answer_);
+    if (!slot_->busy()) slot_->start(&register_, 1);
   }
   void safe() {}
 
@@ -29,7 +29,7 @@ class LateValve {
  private:
   static constexpr float kSteps = 100;  // per rad
   finemote::I2cSlot* slot_;
-  std::uint8_t next_ = 0, setting_[2]{0x10, 0}, register_ = 0x20, answer_[2]{};
+  std::uint8_t next_ = 0, setting_[2]{0x10, 0}, register_ = 0x20;
 };
 
 }  // namespace my
