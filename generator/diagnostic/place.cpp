@@ -4,12 +4,20 @@
 
 namespace finemote::gen {
 
-std::string place_text(const Position& at) {
-  if (at.file == nullptr) return "finemote";
-  std::string text = at.file->name;
+namespace {
+
+std::string place_text(const Position& at, std::string text) {
   if (at.line > 0) text += fmt::format(":{}", at.line);
   if (at.line > 0 && at.column > 0) text += fmt::format(":{}", at.column);
   return text;
+}
+
+}  // namespace
+
+std::string place_text(const Position& at) { return at.file == nullptr ? "finemote" : place_text(at, at.file->name); }
+
+std::string place_for_programs(const Position& at) {
+  return at.file == nullptr ? "finemote" : place_text(at, at.file->place());
 }
 
 Position outermost(Position at) {

@@ -42,7 +42,7 @@ std::string github_line(const Message& message) {
   const Diagnostic& finding = message.finding;
   std::string text = fmt::format("::{} ", command_name(finding.severity));
   const Position& at = finding.at;
-  if (at.file != nullptr) text += fmt::format("file={},", escape_github(at.file->name, true));
+  if (at.file != nullptr) text += fmt::format("file={},", escape_github(at.file->place(), true));
   if (at.file != nullptr && at.line > 0) text += fmt::format("line={},", at.line);
   if (at.file != nullptr && at.line > 0 && at.column > 0) text += fmt::format("col={},", at.column);
   return text + fmt::format("title={}::{}\n", code_name(finding.code), escape_github(whole_message(message), false));
@@ -60,7 +60,7 @@ std::string to_uri(std::string_view path) {
 }
 
 Json sarif_location(const Position& at, std::size_t length, const std::string& input) {
-  Json physical{{"artifactLocation", {{"uri", to_uri(at.file != nullptr ? at.file->name : input)}}}};
+  Json physical{{"artifactLocation", {{"uri", to_uri(at.file != nullptr ? at.file->place() : input)}}}};
   Json region{{"startLine", std::max<std::uint32_t>(at.line, 1)}};
   if (at.column > 0) {
     region["startColumn"] = at.column;
@@ -88,14 +88,14 @@ std::string render_gcc(const Diagnostics& diagnostics) {
   std::string text;
   for (const Message& message : messages_of(diagnostics)) {
     const Diagnostic& finding = message.finding;
-    const std::string place = printable(place_text(finding.at));
+    const std::string place = printable(place_for_programs(finding.at));
     text += fmt::format("{}: {}: {} [{}]\n", place, severity_name(finding.severity), printable_lines(finding.message),
                         code_name(finding.code));
     for (const RepeatPlace& repeat : repeat_places(message))
-      text += fmt::format("{}: note: the same for {} more expansion{} from here\n", printable(place_text(repeat.at)),
-                          repeat.count, repeat.count == 1 ? "" : "s");
+      text += fmt::format("{}: note: the same for {} more expansion{} from here\n",
+                          printable(place_for_programs(repeat.at)), repeat.count, repeat.count == 1 ? "" : "s");
     for (const Note& note : finding.notes)
-      text += fmt::format("{}: note: {}\n", note.at.file != nullptr ? printable(place_text(note.at)) : place,
+      text += fmt::format("{}: note: {}\n", note.at.file != nullptr ? printable(place_for_programs(note.at)) : place,
                           printable_lines(note.message));
     for (const std::string& hint : finding.hints) text += fmt::format("{}: note: {}\n", place, printable_lines(hint));
   }

@@ -1,5 +1,6 @@
 #include "generator/diagnostic/source.hpp"
 
+#include <filesystem>
 #include <tuple>
 
 #include "generator/diagnostic/place.hpp"
@@ -17,6 +18,11 @@ std::string_view SourceFile::line(std::uint32_t line) const {
   rest = rest.substr(0, rest.find('\n'));
   if (!rest.empty() && rest.back() == '\r') rest.remove_suffix(1);
   return rest;
+}
+
+std::string SourceFile::place() const {
+  const bool is_elsewhere = !path.empty() && path != name && name.rfind("builtin:", 0) != 0;
+  return is_elsewhere ? std::filesystem::path(path).lexically_normal().generic_string() : name;
 }
 
 bool before(const Position& a, const Position& b) {

@@ -19,6 +19,8 @@ struct SourceFile {
 
   /// The line with 1-based number `line`, without its line break; empty when out of range.
   [[nodiscard]] std::string_view line(std::uint32_t line) const;
+  /// Where a program that reads messages finds it, from the working folder on; the name of what comes with FineMote.
+  [[nodiscard]] std::string place() const;
 };
 
 struct Expansion;

@@ -35,6 +35,21 @@ TEST_CASE("gcc: place, severity, message, code, then notes") {
         "my robot.urdf:2:14: note: a hint\n");
 }
 
+TEST_CASE("programs get the place of a file from the working folder on, and the name of what ships") {
+  Sources sources;
+  Diagnostics diagnostics;
+  const SourceFile* own = sources.add({"devices/own.json", "src/./devices/own.json", "{}"});
+  const SourceFile* shipped = sources.add({"builtin:devices/led.json", "/usr/share/devices/led.json", "{}"});
+  diagnostics.error(Code{3103}, {own, 1, 1, nullptr}, "wrong");
+  diagnostics.error(Code{3103}, {shipped, 1, 2, nullptr}, "wrong");
+  CHECK(render_gcc(diagnostics) ==
+        "builtin:devices/led.json:1:2: error: wrong [FM3103]\nsrc/devices/own.json:1:1: error: wrong [FM3103]\n");
+  CHECK(render_github(diagnostics).find("file=src/devices/own.json,line=1,col=1") != std::string::npos);
+  const auto log = render_sarif(diagnostics, "0.1.0", "src/in.urdf");
+  CHECK(log["runs"][0]["results"][1]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] ==
+        "src/devices/own.json");
+}
+
 TEST_CASE("github: one escaped line each, at most ten of a kind") {
   Findings findings;
   CHECK(
