@@ -172,8 +172,9 @@ Model model_of(const Robot& robot, const Forest& forest, const Schedule& schedul
   model.clock_ppm = board_clock_ppm(robot);
   model.has_target = true;
   model.costs = robot_costs(robot, schedule, options);
-  model.buses = make_buses(robot, places, uses);
-  Traffic traffic(robot, places, uses, model);
+  DriverBuses buses = make_buses(robot, places, uses);
+  model.buses = std::move(buses.buses);
+  Traffic traffic(robot, places, uses, std::move(buses.counts), model);
   for (const DeviceId id : forest.order) {
     const gen::Device& device = robot.devices[id];
     const Rank place = model.devices.push_back(make_device(robot, forest, id, options));

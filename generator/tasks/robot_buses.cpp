@@ -190,7 +190,25 @@ std::optional<Duration> longest_of(const std::vector<InterruptSource>& sources) 
   return longest;
 }
 
-Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driver) {
+/// One source of the driver of a bus, without budgets.
+InterruptSource source_of(const Robot& robot, BusId id, const BusUse& use, const Driver& driver,
+                          const DriverSource& given) {
+  const gen::Bus& bus = robot.buses[id];
+  const BusType& type = bus_type(bus.kind);
+  const Duration apart = frame_time(bus.min_frame_bits.value_or(bits_apart(given, use)), fastest_line_rate(robot, bus));
+  const bool is_foreign = !type.is_mastered && given.raised_by != DriverSource::RaisedBy::transmit;
+  InterruptSource source;
+  source.name = given.name;
+  source.min_interval = is_foreign ? received_apart(robot, id, apart) : apart;
+  source.of_transfers = type.is_mastered && is_of_transfer(given.counts);
+  source.ends_frame = type.is_arbitrated && ends_frame(given.counts);
+  const auto computed = computed_routine(robot, id, given, requested_frames(driver, use));
+  set_time(bus.isr_wcet, computed, routine(driver, given, use, line_rate(robot, bus)), source);
+  return source;
+}
+
+/// Without sources.
+Bus make_bus(const Robot& robot, BusId id, const Driver& driver) {
   const gen::Bus& bus = robot.buses[id];
   const BusType& type = bus_type(bus.kind);
   Bus out;
@@ -199,32 +217,30 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
   out.baud_bps = line_rate(robot, bus);
   out.arbitrated = type.is_arbitrated;
   out.polled = type.is_polled;
-  const Driver usual = driver != nullptr ? *driver : Driver{};
-  out.min_frame_bits = std::max<std::int64_t>(bus.min_frame_bits.value_or(usual.min_frame_bits), 1);
-  out.wcet = bus.isr_wcet.value_or(usual.isr_wcet);
+  out.min_frame_bits = std::max<std::int64_t>(bus.min_frame_bits.value_or(driver.min_frame_bits), 1);
+  out.wcet = bus.isr_wcet.value_or(driver.isr_wcet);
   out.frame = frame_time(out.min_frame_bits, bus.rate);  // the fastest the wire can bring them
-  if (driver != nullptr) {
-    out.sources.emplace();
-    for (const DriverSource& source : driver->sources) {
-      if (!can_interrupt(source, type, use, mover_of(robot, id))) continue;
-      const Duration apart =
-          frame_time(bus.min_frame_bits.value_or(bits_apart(source, use)), fastest_line_rate(robot, bus));
-      const bool is_foreign = !type.is_mastered && source.raised_by != DriverSource::RaisedBy::transmit;
-      out.sources->push_back({source.name,
-                              {},
-                              is_foreign ? received_apart(robot, id, apart) : apart,
-                              {},
-                              type.is_mastered && is_of_transfer(source.counts),
-                              type.is_arbitrated && ends_frame(source.counts)});
-      const auto computed = computed_routine(robot, id, source, requested_frames(*driver, use));
-      set_time(bus.isr_wcet, computed, routine(*driver, source, use, out.baud_bps), out.sources->back());
-    }
-  }
-  const bool has_dma = mover_of(robot, id) == Mover::dma && robot.board->cpu_hz > 0 && !is_idle(type, use);
-  if (out.sources && has_dma) out.sources->push_back(dma_of(robot, id, use));
-  if (robot.computed && out.sources) out.wcet = longest_of(*out.sources).value_or(out.wcet);
   out.advice = advice_for(robot, id);
   return out;
+}
+
+/// Adds the sources that can interrupt in this robot. Returns what those of the driver count; that of a DMA follows
+/// them.
+std::vector<DriverSource::Counts> add_sources(const Robot& robot, BusId id, const BusUse& use, const Driver& driver,
+                                              Bus& bus) {
+  const BusType& type = bus_type(robot.buses[id].kind);
+  const Mover mover = mover_of(robot, id);
+  std::vector<DriverSource::Counts> counts;
+  bus.sources.emplace();
+  for (const DriverSource& source : driver.sources) {
+    if (!can_interrupt(source, type, use, mover)) continue;
+    bus.sources->push_back(source_of(robot, id, use, driver, source));
+    counts.push_back(source.counts);
+  }
+  const bool has_dma = mover == Mover::dma && robot.board->cpu_hz > 0 && !is_idle(type, use);
+  if (has_dma) bus.sources->push_back(dma_of(robot, id, use));
+  if (robot.computed) bus.wcet = longest_of(*bus.sources).value_or(bus.wcet);
+  return counts;
 }
 
 }  // namespace
@@ -241,25 +257,15 @@ Mover mover_of(const Robot& robot, BusId bus) {
   return port != nullptr && !port->dma.empty() ? Mover::dma : Mover::routine;
 }
 
-Table<BusPlace, std::vector<DriverSource::Counts>> counts_of(const Robot& robot, const BusPlaces& places,
-                                                             const Table<BusId, BusUse>& uses) {
-  Table<BusPlace, std::vector<DriverSource::Counts>> all;
-  for (const BusId bus : places.buses()) {
-    std::vector<DriverSource::Counts> counts;
-    const Driver* driver = driver_of(robot, bus);
-    for (const DriverSource& source : driver != nullptr ? driver->sources : std::vector<DriverSource>{}) {
-      if (can_interrupt(source, bus_type(robot.buses[bus].kind), uses[bus], mover_of(robot, bus)))
-        counts.push_back(source.counts);
-    }
-    all.push_back(std::move(counts));
+DriverBuses make_buses(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses) {
+  DriverBuses made;
+  for (const BusId id : places.buses()) {
+    const Driver* driver = driver_of(robot, id);
+    Bus& bus = made.buses[made.buses.push_back(make_bus(robot, id, driver != nullptr ? *driver : Driver{}))];
+    made.counts.push_back(driver != nullptr ? add_sources(robot, id, uses[id], *driver, bus)
+                                            : std::vector<DriverSource::Counts>{});
   }
-  return all;
-}
-
-Table<BusPlace, Bus> make_buses(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses) {
-  Table<BusPlace, Bus> buses;
-  for (const BusId bus : places.buses()) buses.push_back(make_bus(robot, bus, uses[bus], driver_of(robot, bus)));
-  return buses;
+  return made;
 }
 
 }  // namespace finemote::gen::timing

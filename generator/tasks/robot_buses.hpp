@@ -31,11 +31,13 @@ class BusPlaces {
 /// What moves the bytes of a bus.
 Mover mover_of(const Robot& robot, BusId bus);
 
-/// Without budgets and without the lines of devices: with the sources of the driver that can interrupt in this robot.
-Table<BusPlace, Bus> make_buses(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses);
+/// Buses, and what the sources of their drivers count.
+struct DriverBuses {
+  Table<BusPlace, Bus> buses;
+  Table<BusPlace, std::vector<DriverSource::Counts>> counts;  ///< of the first sources of each bus, in their order
+};
 
-/// What each of these sources counts.
-Table<BusPlace, std::vector<DriverSource::Counts>> counts_of(const Robot& robot, const BusPlaces& places,
-                                                             const Table<BusId, BusUse>& uses);
+/// Without budgets and without the lines of devices: with the sources of the driver that can interrupt in this robot.
+DriverBuses make_buses(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses);
 
 }  // namespace finemote::gen::timing

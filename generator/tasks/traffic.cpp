@@ -80,12 +80,13 @@ Transfer::After after(FrameStage stage) {
 
 }  // namespace
 
-Traffic::Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses, Model& model)
+Traffic::Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses,
+                 Table<BusPlace, std::vector<DriverSource::Counts>> counts, Model& model)
     : robot_(robot),
       places_(places),
       uses_(uses),
       model_(model),
-      counts_(counts_of(robot, places, uses)),
+      counts_(std::move(counts)),
       user_(model.buses.size()) {
   pins_.name = "pins";
   pins_.sources.emplace();
@@ -256,11 +257,12 @@ void Traffic::let_requests_meet(BusPlace bus) {
 }
 
 void Traffic::drop_unraised(BusPlace bus) {
-  const std::vector<DriverSource::Counts>& counts = counts_[bus];
+  std::vector<DriverSource::Counts>& counts = counts_[bus];
   for (std::size_t i = counts.size(); i-- > 0;) {
     std::vector<InterruptSource>& sources = *model_.buses[bus].sources;
-    const bool is_raised = counts[i] == DriverSource::Counts::nothing || !sources[i].budgets.empty();
-    if (!is_raised) sources.erase(sources.begin() + static_cast<std::ptrdiff_t>(i));
+    if (counts[i] == DriverSource::Counts::nothing || !sources[i].budgets.empty()) continue;
+    sources.erase(sources.begin() + static_cast<std::ptrdiff_t>(i));
+    counts.erase(counts.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }
 

@@ -13,8 +13,10 @@ namespace finemote::gen::timing {
 /// Adds the traffic of one device or flush after the other to a model whose buses are complete.
 class Traffic {
  public:
-  /// Everything must outlive this.
-  Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses, Model& model);
+  /// Robot, places, uses and model must outlive this.
+  /// @param counts  what the sources of each bus of the model count, as DriverBuses has it
+  Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses,
+          Table<BusPlace, std::vector<DriverSource::Counts>> counts, Model& model);
 
   /// Transfers of a device that has a type, over its own bus and those of its uses, and interrupts of lines of its own.
   /// Frames of stage `flush` are left to the flush of its bucket.
@@ -62,9 +64,9 @@ class Traffic {
   const BusPlaces& places_;
   const Table<BusId, BusUse>& uses_;
   Model& model_;
-  const Table<BusPlace, std::vector<DriverSource::Counts>> counts_;  ///< of driver sources; lines of devices come after
-  Table<BusPlace, std::optional<Rank>> user_;                        ///< the first device on each bus
-  Bus pins_;                                                         ///< lines of devices that no bus carries
+  Table<BusPlace, std::vector<DriverSource::Counts>> counts_;  ///< of driver sources; lines of devices come after
+  Table<BusPlace, std::optional<Rank>> user_;                  ///< the first device on each bus
+  Bus pins_;                                                   ///< lines of devices that no bus carries
 };
 
 }  // namespace finemote::gen::timing
