@@ -7,9 +7,9 @@
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/model/streamed_frames.hpp"
-#include "generator/schedule/period.hpp"
 #include "generator/timing/table.hpp"
 #include "generator/timing/words.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -50,7 +50,7 @@ void add_bounds(const Analysis& analysis, Facts& facts) {
   robot["schedulable"] = yes_or_no(timing.schedulable);
   robot["processor load"] = timing::percent(timing.processor_load);
   for (const timing::BucketResult& bucket : timing.verdict().buckets)
-    facts[fmt::format("bounds of bucket '{}'", period_text(bucket.period))]["response"] =
+    facts[fmt::format("bounds of bucket '{}'", units::spaced_duration(bucket.period))]["response"] =
         timing::duration_text(bucket.response);
   for (const timing::BusPlace bus : timing.bus_loads.ids())
     facts[fmt::format("bounds of bus '{}'", timing.model.buses[bus].name)]["load"] =

@@ -5,7 +5,7 @@
 
 #include "generator/bus/bus_kind.hpp"
 #include "generator/emit/names.hpp"
-#include "generator/schedule/period.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -71,7 +71,7 @@ Properties device_facts(const PlannedRobot& planned, DeviceId index) {
   Properties facts{
       {"type", device.type->name},
       {"parent", device.parent ? robot.devices[*device.parent].name.text : "none"},
-      {"period", period_text(device.period)},
+      {"period", units::spaced_duration(device.period)},
       {"place", device_comment(planned.plan(), index)},
       {"order", order_text(planned, index)},
       {"wcet", fmt::format("update {} ns, handle {} ns", device.wcet.update.ns(), device.wcet.handle.ns())},
@@ -142,7 +142,8 @@ void add_requirement(const Requirement& requirement, Facts& facts) {
 Facts facts_of(const PlannedRobot& planned) {
   const Robot& robot = planned.robot;
   Facts facts;
-  facts["robot"] = {{"name", robot.name.text}, {"board", robot.board->name}, {"tick", period_text(robot.tick)}};
+  facts["robot"] = {
+      {"name", robot.name.text}, {"board", robot.board->name}, {"tick", units::spaced_duration(robot.tick)}};
   add_params(robot.board_params, facts["robot"]);
   for (const Bus& bus : robot.buses) facts[fmt::format("bus '{}'", bus.name.text)] = bus_facts(bus);
   for (const Expander& expander : robot.expanders)

@@ -8,7 +8,7 @@
 #include "generator/cli/robot_input.hpp"
 #include "generator/geometry/frame.hpp"
 #include "generator/model/device_frames.hpp"
-#include "generator/schedule/period.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -61,15 +61,17 @@ std::string comment_of(const Plan& plan, DeviceId index) {
 
 std::string trees_text(const PlannedRobot& planned) {
   const Robot& robot = planned.robot;
-  std::string text = fmt::format("{} on {}, tick {}\n", robot.name.text, robot.board->name, period_text(robot.tick));
+  std::string text =
+      fmt::format("{} on {}, tick {}\n", robot.name.text, robot.board->name, units::spaced_duration(robot.tick));
   for (const Tree& tree : planned.forest.trees) {
     const std::vector<Row> rows = rows_of(robot, tree.root);
     std::size_t widest = 0;
     for (const Row& row : rows) widest = std::max(widest, row.width);
     text += "\n";
     for (const Row& row : rows) {
-      text += fmt::format("{}{}  {:>8}  {}\n", row.name, std::string(widest - row.width, ' '),
-                          period_text(robot.devices[row.device].period), comment_of(planned.plan(), row.device));
+      text +=
+          fmt::format("{}{}  {:>8}  {}\n", row.name, std::string(widest - row.width, ' '),
+                      units::spaced_duration(robot.devices[row.device].period), comment_of(planned.plan(), row.device));
     }
   }
   return text;
@@ -78,8 +80,8 @@ std::string trees_text(const PlannedRobot& planned) {
 std::string order_text(const PlannedRobot& planned) {
   std::string text;
   for (const Bucket& bucket : planned.schedule.buckets) {
-    text += fmt::format("\nevery {}: priority {}, interrupt line {}\n", period_text(bucket.period), bucket.priority,
-                        bucket.line);
+    text += fmt::format("\nevery {}: priority {}, interrupt line {}\n", units::spaced_duration(bucket.period),
+                        bucket.priority, bucket.line);
     text += "  update";
     for (const DeviceId device : bucket.devices) text += " " + planned.robot.devices[device].name.text;
     text += "\n  handle";

@@ -30,7 +30,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   return text.empty() ? none : text;
 }
 
-std::string time_text(Duration time) { return time == Duration::zero() ? "0 ns" : units::format_duration(time, " "); }
+std::string time_text(Duration time) { return time == Duration::zero() ? "0 ns" : units::spaced_duration(time); }
 
 std::string sentence(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));

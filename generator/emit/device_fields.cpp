@@ -4,7 +4,7 @@
 
 #include "generator/emit/config.hpp"
 #include "generator/emit/endpoint_fields.hpp"
-#include "generator/schedule/period.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -35,9 +35,9 @@ Data crossing_list(const Plan& plan, DeviceId home) {
     entry.set("type", class_name(crossing.type));
     entry.set("port", crossing.name);
     entry.set("producer", producer.name.text);
-    entry.set("producer_period", period_text(producer.period));
+    entry.set("producer_period", units::spaced_duration(producer.period));
     entry.set("consumer", consumer.name.text);
-    entry.set("consumer_period", period_text(consumer.period));
+    entry.set("consumer_period", units::spaced_duration(consumer.period));
     list.push_back(entry);
   }
   return list;

@@ -4,7 +4,7 @@
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/emit/value.hpp"
-#include "generator/schedule/period.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -73,7 +73,7 @@ Data bucket_list(const Plan& plan, const ProvenBounds& bounds) {
     entry.set("index", std::to_string(i));
     entry.set("is_fastest", i == 0);
     entry.set("period", bucket.label);
-    entry.set("period_text", period_text(bucket.period));
+    entry.set("period_text", units::spaced_duration(bucket.period));
     entry.set("period_value", duration_expression(bucket.period));
     entry.set("priority", std::to_string(bucket.priority));
     entry.set("line", std::to_string(bucket.line));
@@ -127,9 +127,9 @@ Data crossing_list(const Plan& plan) {
     const Device& consumer = plan.robot.devices[crossing.consumer];
     Data entry;
     entry.set("producer", producer.name.text);
-    entry.set("producer_period", period_text(producer.period));
+    entry.set("producer_period", units::spaced_duration(producer.period));
     entry.set("consumer", consumer.name.text);
-    entry.set("consumer_period", period_text(consumer.period));
+    entry.set("consumer_period", units::spaced_duration(consumer.period));
     entry.set("is_state", crossing.direction == Crossing::Direction::state);
     entry.set("is_copy", crossing.kind == Crossing::Kind::copy);
     entry.set("is_to_slow", crossing.kind == Crossing::Kind::to_slow);

@@ -6,7 +6,7 @@
 #include "generator/emit/device_fields.hpp"
 #include "generator/emit/scope.hpp"
 #include "generator/forest/stage.hpp"
-#include "generator/schedule/period.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -24,7 +24,7 @@ std::vector<DeviceId> members(const Plan& plan, const Tree& tree, std::size_t bu
 void set_other_end(const Plan& plan, DeviceId device, Data& data) {
   const Device& d = plan.robot.devices[device];
   data.set("other", d.name.text);
-  data.set("other_period", period_text(d.period));
+  data.set("other_period", units::spaced_duration(d.period));
 }
 
 std::string member_of(const Plan& plan, DeviceId device, const std::string& member) {
@@ -205,7 +205,7 @@ Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>
     Data& entry = devices.emplace_back();
     entry.set("name", plan.robot.devices[device].name.text);
     entry.set("what", device_comment(plan, device));
-    entry.set("period", period_text(plan.robot.devices[device].period));
+    entry.set("period", units::spaced_duration(plan.robot.devices[device].period));
     set_device_bound(plan, bounds.plain, device, entry);
     set_ports(plan, scope, device, constants, entry);
     set_device(plan, scope, device, constants, entry);

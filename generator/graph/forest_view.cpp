@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/bus/bus_type.hpp"
-#include "generator/schedule/period.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -31,7 +31,7 @@ ForestRow row_of(const Robot& robot, const Forest& forest, const Schedule& sched
                 visit.parent,
                 device.name.text,
                 device.type->name,
-                period_text(device.period),
+                units::spaced_duration(device.period),
                 schedule.bucket_of[visit.device],
                 place_of(robot, device),
                 std::nullopt,
@@ -78,7 +78,7 @@ BusRow bus_row(const Robot& robot, BusId id) {
 }  // namespace
 
 ForestView view_of(const Robot& robot, const Forest& forest, const Schedule& schedule) {
-  ForestView view{robot.name.text, robot.board->name, period_text(robot.tick), {}, {}};
+  ForestView view{robot.name.text, robot.board->name, units::spaced_duration(robot.tick), {}, {}};
   for (const Tree& tree : forest.trees) add_tree(robot, forest, schedule, tree.root, view.rows);
   add_reads(robot, view);
   for (const BusId bus : robot.buses.ids()) view.buses.push_back(bus_row(robot, bus));

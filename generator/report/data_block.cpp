@@ -1,6 +1,6 @@
 #include "generator/report/data_block.hpp"
 
-#include "generator/schedule/period.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen::report {
 namespace {
@@ -78,7 +78,7 @@ std::string data_block(const timing::Model& model, const Timeline& timeline, con
             {"devices", Json::array()},
             {"bucketOf", Json::array()}};
   for (const Duration period : timeline.periods)
-    data["buckets"].push_back({{"name", period_text(period)}, {"period", period.ns()}});
+    data["buckets"].push_back({{"name", units::spaced_duration(period)}, {"period", period.ns()}});
   for (const timing::Bus& bus : model.buses) data["buses"].push_back(bus.name);
   for (const timing::Device& device : model.devices) {
     data["devices"].push_back(device.name);

@@ -6,8 +6,8 @@
 
 #include "generator/run/run_summary.hpp"
 #include "generator/run/violation.hpp"
-#include "generator/schedule/period.hpp"
 #include "generator/timing/words.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -237,7 +237,7 @@ void print_image(const ImageFacts& image, std::ostream& out) {
 
 void print_run(const RunResult& result, bool is_verbose, std::ostream& out) {
   const Duration lasted = std::max(result.duration, round_up(result.record.judged_for, microseconds(1)));
-  out << fmt::format("{} on {}, {}{}\n", result.robot.name.text, result.board, period_text(lasted),
+  out << fmt::format("{} on {}, {}{}\n", result.robot.name.text, result.board, units::spaced_duration(lasted),
                      lasted > result.duration ? ", as long as the scenario lasts" : "");
   if (result.must_judge)
     out << fmt::format("judged from {:.3f} ms on, when every part had been seen{}\n",

@@ -1,6 +1,6 @@
 #include "generator/run/run_trace.hpp"
 
-#include "generator/schedule/period.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -26,7 +26,7 @@ Json run_trace(const RunResult& result) {
                       {"ph", "M"},
                       {"pid", 1},
                       {"tid", i + 1},
-                      {"args", {{"name", "every " + period_text(result.schedule.buckets[i].period)}}}});
+                      {"args", {{"name", "every " + units::spaced_duration(result.schedule.buckets[i].period)}}}});
     events.push_back(
         {{"name", "thread_sort_index"}, {"ph", "M"}, {"pid", 1}, {"tid", i + 1}, {"args", {{"sort_index", i + 1}}}});
   }

@@ -10,8 +10,8 @@
 #include "generator/board_sources/port_objects.hpp"
 #include "generator/forest/stage.hpp"
 #include "generator/image/exception.hpp"
-#include "generator/schedule/period.hpp"
 #include "generator/timing_file/cost_words.hpp"
+#include "generator/units/units.hpp"
 #include "generator/wcet/cost_table.hpp"
 
 namespace finemote::gen {
@@ -127,7 +127,7 @@ std::optional<SchedulerTask> task_of(const TimedRobot& timed, unsigned exception
   if (exception == kSysTickException) return SchedulerTask{cost_words::kRelease};
   for (const Bucket& bucket : timed.schedule.buckets) {
     if (exception_of(bucket.line) == exception)
-      return SchedulerTask{fmt::format("bucket {}", period_text(bucket.period)), bucket.period};
+      return SchedulerTask{fmt::format("bucket {}", units::spaced_duration(bucket.period)), bucket.period};
   }
   return std::nullopt;
 }

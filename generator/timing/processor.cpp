@@ -28,8 +28,6 @@ double share(const Stream& stream) {
   return static_cast<double>(rate(stream) * static_cast<long double>(stream.cost.ns()));
 }
 
-std::string period_text(Duration period) { return units::format_duration(period); }
-
 /// What people call a flush: its output, the bus it goes over, or the first device it writes.
 std::string flush_name(const Model& model, const Flush& flush) {
   if (!flush.output.empty()) return flush.output;
@@ -40,7 +38,7 @@ std::string flush_name(const Model& model, const Flush& flush) {
 void add_buckets(const Model& model, const TaskSet& set, std::vector<ProcessorUse>& list) {
   for (const TaskBucket& bucket : set.buckets) {
     const Duration work = bucket.cost - bucket.after;
-    list.push_back({ProcessorUse::Kind::bucket, period_text(bucket.period), "", work, bucket.period,
+    list.push_back({ProcessorUse::Kind::bucket, units::format_duration(bucket.period), "", work, bucket.period,
                     static_cast<double>(exact_ratio(work, bucket.period))});
     if (bucket.after == Duration::zero()) continue;  // the profile has no flushes
     for (const Flush& flush : model.flushes) {
@@ -90,7 +88,7 @@ std::string user_text(const ProcessorUse& use) {
     case ProcessorUse::Kind::bucket:
       return fmt::format("devices every {}", use.name);
     case ProcessorUse::Kind::flush:
-      return fmt::format("flush of '{}' every {}", use.name, period_text(use.every));
+      return fmt::format("flush of '{}' every {}", use.name, units::format_duration(use.every));
     case ProcessorUse::Kind::interrupt:
       return use.source.empty() ? fmt::format("interrupts of bus '{}'", use.name)
                                 : fmt::format("'{}' interrupts of bus '{}'", use.source, use.name);

@@ -279,6 +279,15 @@ namespace {
 double in_base_unit(std::int64_t value) { return static_cast<double>(value); }
 double in_base_unit(Duration value) { return static_cast<double>(value.ns()); }
 
+/// In the largest unit that divides it.
+std::string joined_duration(Duration time, std::string_view blank) {
+  const std::int64_t ns = time.ns();
+  if (ns % 1'000'000'000 == 0) return fmt::format("{}{}s", ns / 1'000'000'000, blank);
+  if (ns % 1'000'000 == 0) return fmt::format("{}{}ms", ns / 1'000'000, blank);
+  if (ns % 1'000 == 0) return fmt::format("{}{}us", ns / 1'000, blank);
+  return fmt::format("{}{}ns", ns, blank);
+}
+
 }  // namespace
 
 template <typename T>
@@ -303,13 +312,9 @@ template Fault with_meant_unit(Fault, std::string_view, std::initializer_list<st
 template Fault with_meant_unit(Fault, std::string_view, std::initializer_list<std::string_view>,
                                Result<Duration> (*)(std::string_view), double, double);
 
-std::string format_duration(Duration time, std::string_view blank) {
-  const std::int64_t ns = time.ns();
-  if (ns % 1'000'000'000 == 0) return fmt::format("{}{}s", ns / 1'000'000'000, blank);
-  if (ns % 1'000'000 == 0) return fmt::format("{}{}ms", ns / 1'000'000, blank);
-  if (ns % 1'000 == 0) return fmt::format("{}{}us", ns / 1'000, blank);
-  return fmt::format("{}{}ns", ns, blank);
-}
+std::string format_duration(Duration time) { return joined_duration(time, ""); }
+
+std::string spaced_duration(Duration time) { return joined_duration(time, " "); }
 
 std::string readable_duration(Duration time) {
   const std::int64_t ns = time.ns();

@@ -60,8 +60,10 @@ Result<std::int64_t> parse_integer(std::string_view text, std::string_view unit 
 Result<double> parse_real(std::string_view text, std::string_view unit = {});
 
 /// `2500000` -> `2500us`: the largest of s, ms, us, ns that divides it; 0 -> `0s`.
-/// @param blank  between number and unit
-std::string format_duration(Duration time, std::string_view blank = "");
+std::string format_duration(Duration time);
+
+/// The same with a blank, as generated comments and tables spell periods: `2500000` -> `2500 us`.
+std::string spaced_duration(Duration time);
 
 /// `2500001` -> `2.500001ms`: exact as well, in the largest unit that leaves a number above 1; 0 -> `0s`.
 std::string readable_duration(Duration time);

@@ -178,7 +178,7 @@ TEST_CASE("durations are written in the largest unit that divides them") {
   CHECK(format_duration(2000_ms) == "2s");
   CHECK(format_duration(17_ns) == "17ns");
   CHECK(format_duration(Duration::zero()) == "0s");
-  CHECK(format_duration(2500_us, " ") == "2500 us");
+  CHECK(spaced_duration(2500_us) == "2500 us");
   CHECK(readable_duration(10_ms) == "10ms");
   CHECK(readable_duration(2'500'001_ns) == "2.500001ms");
   CHECK(readable_duration(87'060_ns) == "87.06us");
