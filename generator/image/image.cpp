@@ -107,6 +107,16 @@ bool read_sections(const Reader& reader, const Elf32_Ehdr& header, Image& image)
 
 }  // namespace
 
+bool ImageSection::holds(std::uint32_t at, std::uint32_t count) const {
+  return at >= address && at - address + count <= size;
+}
+
+bool ImageSection::is_zeroed() const { return name == ".bss" || name == ".core_bss"; }
+
+bool ImageSection::is_filled() const {
+  return is_zeroed() || name == ".data" || name == ".dma_constants" || name == ".rodata";
+}
+
 const ImageSymbol* Image::find(std::string_view name) const {
   const auto found = std::find_if(symbols.begin(), symbols.end(), [&](const auto& s) { return s.name == name; });
   return found == symbols.end() ? nullptr : &*found;

@@ -20,6 +20,14 @@ struct ImageSection {
   bool writable = false;
   bool executable = false;
   std::string_view bytes;  ///< empty when !has_bytes; points into Image::file
+
+  /// The bytes from `at` on are its.
+  [[nodiscard]] bool holds(std::uint32_t at, std::uint32_t count) const;
+  /// The start of the program sets all of it to zero. Source: sections.ld of the chip, as of is_filled().
+  [[nodiscard]] bool is_zeroed() const;
+  /// It has its first values when the program begins: the start fills it, or it lies in the flash. What lies in a
+  /// section of its own is none of that.
+  [[nodiscard]] bool is_filled() const;
 };
 
 struct ImageSymbol {

@@ -24,10 +24,8 @@ std::vector<AddressRange> merged(std::vector<AddressRange> ranges) {
 }  // namespace
 
 bool is_zeroed(const Image& image, std::uint32_t address, std::uint32_t size) {
-  return std::any_of(image.sections.begin(), image.sections.end(), [&](const ImageSection& section) {
-    const bool is_filled = section.name == ".bss" || section.name == ".core_bss";  // sections.ld
-    return is_filled && address >= section.address && address - section.address + size <= section.size;
-  });
+  return std::any_of(image.sections.begin(), image.sections.end(),
+                     [&](const ImageSection& section) { return section.is_zeroed() && section.holds(address, size); });
 }
 
 Constants::Constants(const Image& image, std::vector<AddressRange> members,

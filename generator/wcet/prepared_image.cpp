@@ -1,7 +1,6 @@
 #include "generator/wcet/prepared_image.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -17,12 +16,10 @@ bool has_constructors(const Image& image) {
   });
 }
 
-/// The start fills it: sections.ld. What lies in a section of its own is none of that.
+/// Its first value is known.
 bool is_filled(const Image& image, const ImageRange& range) {
-  constexpr std::string_view kFilled[] = {".data", ".bss", ".core_bss", ".dma_constants", ".rodata"};
   return std::any_of(image.sections.begin(), image.sections.end(), [&](const ImageSection& section) {
-    return std::find(std::begin(kFilled), std::end(kFilled), section.name) != std::end(kFilled) &&
-           range.begin >= section.address && range.end - section.address <= section.size;
+    return section.is_filled() && section.holds(range.begin, range.end - range.begin);
   });
 }
 
