@@ -89,6 +89,7 @@ Traffic::Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId,
       counts_(std::move(counts)),
       user_(model.buses.size()) {
   pins_.name = "pins";
+  pins_.is_pins = true;
   pins_.sources.emplace();
 }
 

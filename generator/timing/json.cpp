@@ -58,6 +58,7 @@ Json bus_json(const Model& model, const Bus& bus) {
            {"wcet_ns", bus.wcet.ns()}};
   if (bus.arbitrated) out["arbitrated"] = true;
   if (bus.polled) out["polled"] = true;
+  if (bus.is_pins) out["pins"] = true;
   if (bus.sources) {
     Json& list = out["sources"] = Json::array();
     for (const InterruptSource& s : *bus.sources) list.push_back(source_json(model, s));

@@ -71,11 +71,10 @@ struct Bus {
   std::optional<std::vector<InterruptSource>> sources;  ///< target; none: one source of frame and wcet
   bool arbitrated = false;  ///< identifiers, which are not known here, decide what goes first (CAN)
   bool polled = false;      ///< jobs of the fastest bucket, and of those that use it, carry it on; nothing else does
+  bool is_pins =
+      false;  ///< no bus, but the lines that interrupt of devices on no bus: its sources alone mean something
   Position at;
   BusAdvice advice;
-
-  /// Not so where it stands for the lines that interrupt of devices on no bus.
-  [[nodiscard]] bool carries_bits() const { return baud_bps > 1; }
 };
 
 /// Why nobody knows how old the data of a device are, where its part sends it some.

@@ -92,6 +92,7 @@ struct ModelReader::Tables {
       {"wcet_ns", Need::required, &Bus::wcet},
       {"arbitrated", Need::target, &Bus::arbitrated},
       {"polled", Need::target, &Bus::polled},
+      {"pins", Need::target, &Bus::is_pins},
       {"sources", Need::target, Whole<Bus>{&ModelReader::read_sources}},
   };
   static constexpr Field<InterruptSource> kSource[] = {

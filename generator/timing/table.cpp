@@ -154,11 +154,11 @@ std::string missing(const Timing& timing) {
 
 std::string buses(const Timing& timing) {
   const auto& all = timing.model.buses;
-  if (std::none_of(all.begin(), all.end(), [](const Bus& bus) { return bus.carries_bits(); })) return {};
+  if (std::all_of(all.begin(), all.end(), [](const Bus& bus) { return bus.is_pins; })) return {};
   TextTable table({"bus", "interrupt", "at least every", "wire load"});
   for (const BusPlace b : timing.model.buses.ids()) {
     const Bus& bus = timing.model.buses[b];
-    if (!bus.carries_bits()) continue;
+    if (bus.is_pins) continue;
     table.row({bus.name, duration_text(bus.wcet), duration_text(bus.frame), percent(timing.bus_loads[b].utilization)});
   }
   return "\nbuses\n" + table.text();
