@@ -18,7 +18,7 @@ struct Limits {
 
 /// Of one among many models that are tried, an order of devices or a factor of their times; an ordinary robot needs
 /// some thousands.
-inline constexpr Limits kTrialLimits{1'000'000, 1'000, std::int64_t{1} << 22};
+inline constexpr Limits kTrialLimits{.steps = std::int64_t{1} << 22};
 
 /// What is left of the limits of one analysis.
 class Effort {

@@ -22,9 +22,6 @@ int most_robots(std::size_t devices) {
   return static_cast<int>(std::clamp(kDevices / std::max<std::size_t>(devices, 1), kLeast, kMost));
 }
 
-/// Of one trial; an ordinary robot needs some thousands.
-constexpr std::int64_t kTrialSteps = std::int64_t{1} << 22;
-
 std::size_t unbounded(const Timing& timing) {
   return static_cast<std::size_t>(std::count_if(timing.chains.begin(), timing.chains.end(),
                                                 [](const ChainResult& chain) { return !chain.end_to_end; }));
@@ -101,7 +98,7 @@ Trials::Trials(const Timing& timing, const AnalysisRequest& request)
   request_.remodel = nullptr;
   request_.profile = timing.asked;
   request_.inputs = false;
-  request_.limits.steps = kTrialSteps;
+  request_.limits.steps = kTrialLimits.steps;
   request_.chains.clear();
   for (const ChainResult& chain : timing.chains) request_.chains.push_back({chain.from, chain.to});
 }

@@ -9,9 +9,14 @@ std::optional<Duration> common_multiple(std::optional<Duration> a, std::optional
   return nanoseconds(product);
 }
 
-std::optional<std::int64_t> releases_until_repeat(const TaskSet& set, std::size_t bucket) {
+std::optional<Duration> time_until_repeat(const TaskSet& set, std::size_t bucket) {
   std::optional<Duration> common = set.buckets[bucket].period;
   for (std::size_t v = 0; v < bucket && common; ++v) common = common_multiple(common, set.buckets[v].period);
+  return common;
+}
+
+std::optional<std::int64_t> releases_until_repeat(const TaskSet& set, std::size_t bucket) {
+  const std::optional<Duration> common = time_until_repeat(set, bucket);
   return common ? std::optional(floor_div(*common, set.buckets[bucket].period)) : std::nullopt;
 }
 

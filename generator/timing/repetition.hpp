@@ -11,6 +11,9 @@ namespace finemote::gen::timing {
 /// Least common multiple of two times above 0; none where it leaves 64 bits, which is longer than any analysis looks.
 std::optional<Duration> common_multiple(std::optional<Duration> a, std::optional<Duration> b);
 
+/// How long it takes until a bucket and all higher-priority ones repeat; none where 64 bits do not hold that.
+std::optional<Duration> time_until_repeat(const TaskSet& set, std::size_t bucket);
+
 /// Releases of a bucket until it and all higher-priority ones repeat; none where 64 bits do not hold that time.
 std::optional<std::int64_t> releases_until_repeat(const TaskSet& set, std::size_t bucket);
 

@@ -3,23 +3,13 @@
 #include <algorithm>
 
 #include "generator/timing/demand.hpp"
+#include "generator/timing/repetition.hpp"
 
 namespace finemote::gen::timing {
 namespace {
 
 /// Beyond so many instants a bound for any instant has to do.
 constexpr std::int64_t kMostInstants = 2048;
-
-/// How long it takes until a bucket and all higher-priority ones repeat; kNever: longer than anybody looks.
-Duration repetition(const TaskSet& set, std::size_t bucket) {
-  Duration repeat = set.buckets[bucket].period;
-  for (std::size_t v = 0; v < bucket; ++v) {
-    const Duration period = set.buckets[v].period, shared = gcd(repeat, period);
-    if (floor_div(repeat, shared) > floor_div(kLongest, period)) return kNever;
-    repeat = floor_div(repeat, shared) * period;
-  }
-  return repeat;
-}
 
 }  // namespace
 
@@ -31,7 +21,7 @@ Duration RestOfJob::from(std::size_t bucket, Duration work, Duration latest,
                          const std::function<Duration(Duration release)>& of) const {
   if (work == Duration::zero()) return {};
   const Duration response = responses_.bucket[bucket];
-  const Duration repeat = repetition(set_, bucket);
+  const Duration repeat = time_until_repeat(set_, bucket).value_or(kNever);
   if (instants(bucket, repeat, latest) > kMostInstants) return std::min(at(bucket, work, {}), response);
   Duration worst;
   for (Duration release; release < repeat; release += set_.buckets[bucket].period) {
