@@ -96,14 +96,13 @@ std::string needs_of(const Bus& bus) {
 void add_bus(const Robot& robot, const Bus& bus, const timing::Bus& charged, std::vector<RoutineLimit>& limits,
              std::vector<BusLine>& lines) {
   const Port* port = robot.board->port(bus.port);
-  const auto driver = robot.board->drivers.find(bus.kind);
-  if (port == nullptr || driver == robot.board->drivers.end() || !charged.sources || charged.sources->empty()) return;
+  const Driver* driver = robot.board->driver(bus.kind);
+  if (port == nullptr || driver == nullptr || !charged.sources || charged.sources->empty()) return;
   Duration most;
   for (const timing::InterruptSource& source : *charged.sources) most = std::max(most, source.wcet);
   for (const InterruptLine& line : port->interrupts)
     lines.push_back({static_cast<std::uint32_t>(line.number), limits.size()});
-  limits.push_back(
-      {bus.name.text, most, driver->second.is_assumed ? Ground::assumed : Ground::measured, needs_of(bus)});
+  limits.push_back({bus.name.text, most, driver->is_assumed ? Ground::assumed : Ground::measured, needs_of(bus)});
 }
 
 /// Tests of the board, then of the robot. Reports what is wrong with the robot where its times cannot be added up.

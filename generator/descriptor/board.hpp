@@ -160,6 +160,11 @@ struct Board {
     }
     return nullptr;
   }
+  /// What the runtime's driver of a kind of bus costs; null where the board has none.
+  [[nodiscard]] const Driver* driver(BusKind kind) const {
+    const auto found = drivers.find(kind);
+    return found == drivers.end() ? nullptr : &found->second;
+  }
   [[nodiscard]] const ReservedPins* reserved_pin(std::string_view pin) const {
     for (const ReservedPins& r : reserved_pins) {
       for (const std::string& p : r.pins) {

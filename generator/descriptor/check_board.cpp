@@ -66,7 +66,7 @@ class BoardCheck {
       for (std::size_t k = 0; k < port.kinds.size(); ++k) {
         const BusType& bus = bus_type(port.kinds[k]);
         const JsonPath path{"ports", index, "buses", std::to_string(k)};
-        if (board.drivers.find(bus.kind) == board.drivers.end() && missing.insert(bus.kind).second)
+        if (board.driver(bus.kind) == nullptr && missing.insert(bus.kind).second)
           contradiction(path, fmt::format("\"drivers\" has no '{}'", bus.name));
         if (bus.unit != nullptr && port.interrupts.empty())
           contradiction({"ports", index, "interrupts"},

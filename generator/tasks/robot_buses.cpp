@@ -81,9 +81,7 @@ Duration received_apart(const Robot& robot, BusId bus, Duration apart) {
 
 /// What the board says of the driver; null where it says nothing.
 const Driver* driver_of(const Robot& robot, BusId bus) {
-  if (robot.board == nullptr) return nullptr;
-  const auto found = robot.board->drivers.find(robot.buses[bus].kind);
-  return found == robot.board->drivers.end() ? nullptr : &found->second;
+  return robot.board != nullptr ? robot.board->driver(robot.buses[bus].kind) : nullptr;
 }
 
 bool is_of_transfer(DriverSource::Counts counts) {

@@ -95,8 +95,8 @@ Duration supervision(const Robot& robot) {
   Duration sum;
   if (robot.board == nullptr) return sum;
   for (const gen::Bus& bus : robot.buses) {
-    const auto driver = robot.board->drivers.find(bus.kind);
-    if (driver != robot.board->drivers.end()) sum += driver->second.supervise;
+    const Driver* driver = robot.board->driver(bus.kind);
+    if (driver != nullptr) sum += driver->supervise;
   }
   return sum;
 }

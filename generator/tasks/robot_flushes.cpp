@@ -132,8 +132,8 @@ class FlushAdder {
                          [&](const Transfer& t) { return t.bus != bus || t.after == Transfer::After::autonomous; });
     };
     if (robot_.board == nullptr || !traffic_.is_counted(bus)) return false;
-    const auto driver = robot_.board->drivers.find(kind);
-    const std::size_t mailboxes = driver == robot_.board->drivers.end() ? 0 : driver->second.mailboxes;
+    const Driver* driver = robot_.board->driver(kind);
+    const std::size_t mailboxes = driver == nullptr ? 0 : driver->mailboxes;
     return frames <= mailboxes && std::all_of(model_.devices.begin(), model_.devices.end(), is_alone);
   }
 
