@@ -67,7 +67,7 @@ Data stage(const Plan& plan, const Scope& scope, DeviceId device, Crossing::Dire
   data.set("number", std::to_string(Stage{plan.forest.rank[device], is_handle}.number()));
   data.set("device", plan.robot.devices[device].name.cpp);
   data.set("is_update", !is_handle);
-  data.set("call", is_handle ? "handle" : "update");
+  data.set("call", stage_name(is_handle));
   data.set("what", device_comment(plan, device));
   data.set("fetches", fetches);
   data.set("publishes", publishes);

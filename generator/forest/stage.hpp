@@ -18,4 +18,7 @@ struct Stage {
   }
 };
 
+/// What code and documents call it.
+constexpr const char* stage_name(bool is_handle) { return is_handle ? "handle" : "update"; }
+
 }  // namespace finemote::gen

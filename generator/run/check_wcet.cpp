@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "generator/forest/stage.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -42,12 +43,11 @@ bool has_worked(const Device& device, const RunRecord& record) {
 }
 
 bool check(const Device& device, DeviceId index, const Wcet& given, const Stages& seen, Diagnostics& diagnostics) {
-  constexpr std::array<const char*, 2> kNames = {"update", "handle"};
   const std::array<Duration, 2> wcet = {given.update, given.handle};
   std::string said;
   for (std::size_t i = 0; i < wcet.size(); ++i) {
     if (!seen[i] || *seen[i] <= wcet[i]) continue;
-    said += fmt::format("{}{}() took {} us by itself, its WCET is {}", said.empty() ? "" : "; ", kNames[i],
+    said += fmt::format("{}{}() took {} us by itself, its WCET is {}", said.empty() ? "" : "; ", stage_name(i == 1),
                         seen[i]->ns() / 1000.0, units::format_duration(wcet[i]));
   }
   if (said.empty()) return true;

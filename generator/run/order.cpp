@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/forest/stage.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -19,8 +20,7 @@ struct Edge {
 };
 
 std::string text_of(const Robot& robot, DeviceId device, bool is_handle, bool is_end) {
-  return fmt::format("{} of {}.{}()", is_end ? "end" : "begin", robot.devices[device].name.text,
-                     is_handle ? "handle" : "update");
+  return fmt::format("{} of {}.{}()", is_end ? "end" : "begin", robot.devices[device].name.text, stage_name(is_handle));
 }
 
 /// Everything one job of a bucket passes, in order.

@@ -1,5 +1,6 @@
 #include "generator/run/run_document.hpp"
 
+#include "generator/forest/stage.hpp"
 #include "generator/run/run_series.hpp"
 #include "generator/run/violation.hpp"
 #include "generator/tasks/from_robot.hpp"
@@ -51,7 +52,7 @@ Json stage_list(const RunResult& result) {
       const Statistics& s = result.figures.stages[device][is_handle ? 1 : 0];
       const Wcet& wcet = result.wcets_given[device];
       Json stage{{"device", name_of(result, device)},
-                 {"stage", is_handle ? "handle" : "update"},
+                 {"stage", stage_name(is_handle)},
                  {"count", s.count},
                  {"min_ns", seen(s, s.min.ns())},
                  {"mean_ns", seen(s, s.mean_ns)},
@@ -73,7 +74,7 @@ Json event_list(const RunResult& result) {
     if (event.at >= result.shown) break;
     list.push_back({{"t_ns", event.at.ns()},
                     {"device", name_of(result, event.device)},
-                    {"stage", event.is_handle ? "handle" : "update"},
+                    {"stage", stage_name(event.is_handle)},
                     {"edge", event.is_end ? "end" : "begin"}});
   }
   return list;

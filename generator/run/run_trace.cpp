@@ -1,5 +1,6 @@
 #include "generator/run/run_trace.hpp"
 
+#include "generator/forest/stage.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -14,7 +15,7 @@ double trace_time(Duration time) { return static_cast<double>(time.ns()) / 1e3; 
 Json run_trace(const RunResult& result) {
   Json events = Json::array();
   const auto slice = [&](DeviceId device, bool is_handle, Duration begin, Duration end) {
-    events.push_back({{"name", name_of(result, device) + (is_handle ? ".handle" : ".update")},
+    events.push_back({{"name", name_of(result, device) + "." + stage_name(is_handle)},
                       {"ph", "X"},
                       {"pid", 1},
                       {"tid", result.schedule.bucket_of[device] + 1},

@@ -31,7 +31,7 @@ Json stage_json(const TimedRobot& timed, Stage stage, const wcet::BracketTime& b
     loops.push_back(std::move(place));
   }
   return {{"device", timed.robot.devices[timed.forest.order[stage.rank]].name.text},
-          {"stage", stage.is_handle ? "handle" : "update"},
+          {"stage", stage_name(stage.is_handle)},
           {"wcet_ns", ns_of(bracket.cycles, timed)},
           {"without_faults_ns", ns_of(bracket.without_faults.value_or(bracket.cycles), timed)},
           {"wcet_cycles", bracket.cycles},
@@ -62,7 +62,7 @@ std::vector<Stage> stages_of(const TimedRobot& timed) {
 }
 
 std::string name_of(const TimedRobot& timed, Stage stage) {
-  return timed.robot.devices[timed.forest.order[stage.rank]].name.text + (stage.is_handle ? ".handle" : ".update");
+  return timed.robot.devices[timed.forest.order[stage.rank]].name.text + "." + stage_name(stage.is_handle);
 }
 
 std::string name_of(const TimedRobot& timed, const wcet::RoutineTime& routine) {

@@ -100,7 +100,7 @@ void add_gaps(const TimedRobot& timed, const wcet::Gaps& gaps, Json& scheduler) 
   for (const auto& [number, before] : longest) {
     scheduler.push_back({{"what", cost_words::kBefore},
                          {"device", timed.robot.devices[timed.forest.order[before.first.rank]].name.text},
-                         {"stage", before.first.is_handle ? "handle" : "update"},
+                         {"stage", stage_name(before.first.is_handle)},
                          {"wcet_ns", ns_of(before.second, timed)}});
   }
 }
