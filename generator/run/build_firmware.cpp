@@ -38,8 +38,7 @@ std::string messages_of(const std::string& output) {
 bool are_there(const std::vector<std::pair<std::string, std::string>>& programs, Diagnostics& diagnostics) {
   for (const auto& [program, packages] : programs) {
     if (run_process({program, "--version"}, std::chrono::seconds(10)).started) continue;
-    diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", program))
-        .hint("install it, for example: apt-get install " + packages);
+    report_not_started(program, "install it, for example: apt-get install " + packages, diagnostics);
     return false;
   }
   return true;
@@ -91,8 +90,8 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
   const ProcessResult result = run_process(command, kLongestBuild, build_environment());
   if (result.started && !result.timed_out && result.exit_status == 0) return true;
   if (!result.started) {
-    diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", command.front()))
-        .hint("install it, for example: apt-get install cmake ninja-build gcc-arm-none-eabi");
+    report_not_started(command.front(), "install it, for example: apt-get install cmake ninja-build gcc-arm-none-eabi",
+                       diagnostics);
     return false;
   }
   auto& finding =

@@ -58,8 +58,8 @@ Json run_job(const Json& job, const std::string& stem, Duration duration, Diagno
   std::ifstream file(record_file);
   if (result.started && !result.timed_out && result.exit_status == 0 && file) return Json::parse(file);
   if (!result.started) {
-    diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", program))
-        .hint("the emulated board is a program that is built and installed beside finemote");
+    report_not_started(program, "the emulated board is a program that is built and installed beside finemote",
+                       diagnostics);
     return {};
   }
   auto& finding = diagnostics.error(code::broken_record, {}, fmt::format("'{}' cannot run the image", program));

@@ -56,8 +56,11 @@ std::optional<RunRecord> execute(const std::string& program, const Board& board,
       board.is_host() ? std::vector<std::string>{program, std::to_string(duration.ns())} : qemu_command(program);
   const ProcessResult result = run_process(command, limit);
   if (!result.started) {
-    diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", command.front()))
-        .hint("apt-get install qemu-system-arm");
+    report_not_started(command.front(),
+                       board.is_host()
+                           ? "it was built just now: programs may not run where it lies (mount option noexec)"
+                           : "apt-get install qemu-system-arm",
+                       diagnostics);
     return std::nullopt;
   }
   auto record = parse_record(result.output, forest, duration);

@@ -1,6 +1,7 @@
 #include "generator/run/process.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -74,6 +75,10 @@ ProcessResult run_process(const std::vector<std::string>& command, std::chrono::
   result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result.started = result.exit_status != kNoSuchProgram;
   return result;
+}
+
+void report_not_started(const std::string& program, const std::string& hint, Diagnostics& diagnostics) {
+  diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", program)).hint(hint);
 }
 
 }  // namespace finemote::gen

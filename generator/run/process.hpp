@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/diagnostic/diagnostics.hpp"
+
 namespace finemote::gen {
 
 struct ProcessResult {
@@ -19,5 +21,8 @@ struct ProcessResult {
 /// dropped.
 ProcessResult run_process(const std::vector<std::string>& command, std::chrono::seconds limit,
                           const std::vector<std::string>& environment = {});
+
+/// FM0006, where a program was not started.
+void report_not_started(const std::string& program, const std::string& hint, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen
