@@ -12,6 +12,7 @@
 #include "generator/cli/progress.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/settings.hpp"
+#include "generator/input/input.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/output/unified_diff.hpp"
 #include "generator/xml/read_source.hpp"
@@ -100,7 +101,7 @@ std::optional<Side> planned_side(const Options& options, const std::string& path
 /// Reports FM0001 for what --sizes cannot compile.
 bool can_compile(const std::string& operand, Diagnostics& diagnostics) {
   const bool is_folder = fs::is_directory(operand);
-  if (!is_folder && fs::path(operand).extension() != ".json") return true;
+  if (!is_folder && !is_timing_model(operand)) return true;
   diagnostics
       .error(code::usage, {},
              fmt::format("--sizes compiles robots, and '{}' is a {}", operand, is_folder ? "folder" : "timing model"))
@@ -111,7 +112,7 @@ bool can_compile(const std::string& operand, Diagnostics& diagnostics) {
 std::optional<Side> read_side(const Options& options, const std::string& operand, Sources& sources,
                               Diagnostics& diagnostics) {
   if (fs::is_directory(operand)) return folder_side(operand, sources.access(), diagnostics);
-  if (fs::path(operand).extension() == ".json") return model_side(operand, sources.access(), diagnostics);
+  if (is_timing_model(operand)) return model_side(operand, sources.access(), diagnostics);
   return planned_side(options, operand, sources, diagnostics);
 }
 

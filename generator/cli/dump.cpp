@@ -6,6 +6,7 @@
 #include "generator/cli/subject.hpp"
 #include "generator/dump/dump.hpp"
 #include "generator/emit/plan_files.hpp"
+#include "generator/input/input.hpp"
 #include "generator/input/read_document.hpp"
 
 namespace finemote::gen {

@@ -5,6 +5,7 @@
 #include "generator/cli/saved_document.hpp"
 #include "generator/cli/subject.hpp"
 #include "generator/diagnostic/clash.hpp"
+#include "generator/input/input.hpp"
 #include "generator/report/page.hpp"
 #include "generator/simulate/json.hpp"
 #include "generator/tasks/remodel.hpp"

@@ -11,6 +11,7 @@
 
 #include "generator/cli/data_dir.hpp"
 #include "generator/cli/exit_status.hpp"
+#include "generator/input/input.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -58,8 +59,8 @@ std::vector<std::string> named_folders(const Options& options) {
     if (!input.empty()) folders.push_back(folder_of(input).string());
   }
   for (const std::string& word : options.packages) {
-    const auto equals = word.find('=');
-    if (equals != std::string::npos && equals + 1 < word.size()) folders.push_back(word.substr(equals + 1));
+    const auto package = package_of(word);
+    if (package && !package->second.empty()) folders.push_back(package->second);
   }
   folders.insert(folders.end(), options.device_paths.begin(), options.device_paths.end());
   return folders;

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <variant>
 
-#include "generator/cli/subject.hpp"
 #include "generator/diagnostic/code_project.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/input/input.hpp"
@@ -153,7 +152,9 @@ class Reader {
     Target target{{}, true, [](Options& options, const std::string& name, const std::string& value) {
                     options.packages.push_back(name + "=" + value);
                   }};
-    for (const std::string& word : given_.packages) target.given.push_back(word.substr(0, word.find('=')));
+    for (const std::string& word : given_.packages) {
+      if (const auto package = package_of(word)) target.given.push_back(package->first);
+    }
     return target;
   }
 
@@ -213,8 +214,9 @@ void complete(const Options& given, std::vector<Setting>& list) {
       add_group(member.name, given.arguments);
     } else if (member.kind == Member::Is::packages) {
       Pairs pairs;
-      for (const std::string& word : given.packages)
-        pairs.emplace_back(word.substr(0, word.find('=')), word.substr(word.find('=') + 1));
+      for (const std::string& word : given.packages) {
+        if (auto package = package_of(word)) pairs.push_back(std::move(*package));
+      }
       add_group(member.name, pairs);
     } else if (const auto found = from_file(member.name); found != list.end()) {
       all.push_back(*found);

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "generator/cli/robot_input.hpp"
+#include "generator/input/input.hpp"
 #include "generator/timing/read_model.hpp"
 #include "generator/units/units.hpp"
 #include "generator/xml/read_source.hpp"
@@ -21,8 +20,6 @@ std::optional<Subject> read_timing_model(const std::string& path, Sources& sourc
 }
 
 }  // namespace
-
-bool is_timing_model(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
 
 std::optional<Subject> read_subject(const Options& options, const timing::RobotTimingOptions& robot_options,
                                     Sources& sources, Diagnostics& diagnostics) {

@@ -18,9 +18,6 @@ struct Subject {
   std::optional<PlannedRobot> planned;            ///< what the model was made from; none: it was read as it is
 };
 
-/// `.json`
-bool is_timing_model(const std::string& path);
-
 /// @param robot_options  for the tasks of a robot
 std::optional<Subject> read_subject(const Options& options, const timing::RobotTimingOptions& robot_options,
                                     Sources& sources, Diagnostics& diagnostics);

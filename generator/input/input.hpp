@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,12 @@ struct Input {
 
 /// `.xacro`: the text is expanded before it is read.
 bool is_xacro(const std::string& path);
+
+/// `.json`: the tasks as the timing analysis takes them, in place of a robot.
+bool is_timing_model(const std::string& path);
+
+/// A word `name=dir` in two; none where it has another form.
+std::optional<std::pair<std::string, std::string>> package_of(const std::string& word);
 
 /// How outputs call the input: its file's name, `stdin` for standard input.
 std::string input_name(const std::string& path);

@@ -26,7 +26,7 @@ bool refuse_arguments(const Input& input, Diagnostics& diagnostics) {
 }
 
 bool refuse_model(const Input& input, Diagnostics& diagnostics) {
-  if (fs::path(input.path).extension() != ".json") return false;
+  if (!is_timing_model(input.path)) return false;
   diagnostics.error(code::usage, {}, fmt::format("'{}' is a timing model; this command needs a robot", input.path))
       .hint("analyze, simulate and diff take models");
   return true;
@@ -38,15 +38,15 @@ std::vector<std::pair<std::string, std::string>> package_folders(const std::vect
                                                                  Diagnostics& diagnostics) {
   std::vector<std::pair<std::string, std::string>> folders;
   for (const std::string& word : words) {
-    const auto equals = word.find('=');
-    if (equals == std::string::npos || equals == 0) {
+    const auto package = package_of(word);
+    if (!package) {
       diagnostics.error(code::usage, {}, fmt::format("--package '{}' has no name and folder", word))
           .hint("write --package name=dir");
       continue;
     }
     std::error_code failed;
-    const fs::path folder = fs::absolute(word.substr(equals + 1), failed);  // as written, it would follow the file
-    folders.emplace_back(word.substr(0, equals), failed ? word.substr(equals + 1) : folder.lexically_normal().string());
+    const fs::path folder = fs::absolute(package->second, failed);  // as written, it would follow the file
+    folders.emplace_back(package->first, failed ? package->second : folder.lexically_normal().string());
   }
   return folders;
 }
