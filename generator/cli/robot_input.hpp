@@ -14,7 +14,7 @@ namespace finemote::gen {
 /// IN, and where what it names is found. Reports FM0007 and returns nothing when there is no data folder.
 std::optional<Input> input_of(const Options& options, Diagnostics& diagnostics);
 
-/// `text` of `planned`, with the manifest that says what they were made from.
+/// The files of `planned`, with the manifest that says what they were made from.
 Output output_of(std::vector<OutputFile> files, const PlannedRobot& planned, const Input& input,
                  const Sources& sources);
 

@@ -17,7 +17,6 @@ LoopNest::LoopNest(const FlowGraph& graph) {
   sort_into_orders();
 }
 
-/// Depth first, without recursion: functions may be long.
 bool LoopNest::is_on_every_turn(std::uint32_t block) const {
   const auto index = around(block);
   if (!index) return false;
@@ -27,6 +26,7 @@ bool LoopNest::is_on_every_turn(std::uint32_t block) const {
                      [&](std::uint32_t from) { return loop.blocks.count(from) == 0 || dominates(block, from); });
 }
 
+/// Depth first, without recursion: functions may be long.
 void LoopNest::number(const FlowGraph& graph) {
   std::set<std::uint32_t> seen{graph.entry};
   std::vector<std::pair<std::uint32_t, std::size_t>> open{{graph.entry, 0}};

@@ -50,8 +50,8 @@ struct Marks {
   [[nodiscard]] std::vector<std::uint32_t> addresses() const;
 };
 
-/// Of sections `.debug_finemote`, and `_loops`, `_waits`, `_faults` and `_raised` behind that name. Records of code
-/// that the linker left out are none.
+/// Of sections `.debug_finemote`, and `_loops`, `_mark_ids`, `_waits`, `_faults` and `_raised` behind that name.
+/// Records of code that the linker left out are none.
 Marks read_marks(const Image& image);
 
 }  // namespace finemote::gen::wcet
