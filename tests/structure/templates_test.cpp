@@ -82,13 +82,14 @@ TEST_CASE("emit supplies fields, and spells no line of generated code") {
   }
 }
 
-TEST_CASE("every template is in the list of templates, and every part is named by one") {
+TEST_CASE("every template and folder is in the list of templates, and every part is named by one") {
   const std::string list = read(kRoot / "templates/README.md");
   const std::set<std::string> parts = named_parts();
   for (const auto& entry : fs::directory_iterator(kRoot / "templates")) {
-    if (entry.path().extension() != ".mustache") continue;
     const std::string name = entry.path().stem().string();
     INFO(name);
+    if (entry.is_directory()) CHECK(list.find("`" + name + "/`") != std::string::npos);
+    if (entry.path().extension() != ".mustache") continue;
     const bool is_part = fs::path(name).extension().empty();
     CHECK(list.find("`" + name + (is_part ? "`" : ".mustache`")) != std::string::npos);
     if (is_part) CHECK(parts.count(name) == 1);
