@@ -4,6 +4,7 @@
 #include <map>
 
 #include "generator/forest/stage.hpp"
+#include "generator/run/measure.hpp"
 #include "generator/run/samples.hpp"
 
 namespace finemote::gen {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/run/printed_record.hpp"
 #include "generator/run/process.hpp"
 #include "generator/units/units.hpp"
 

@@ -1,5 +1,7 @@
 #include "generator/run/figures.hpp"
 
+#include "generator/run/measure.hpp"
+
 namespace finemote::gen {
 namespace {
 

@@ -1,4 +1,4 @@
-// Events to figures: how long stages took, and how old the data of every command was.
+// Events to runs of stages, and to the updates that the data of every command came from.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,6 @@
 #include "generator/run/record.hpp"
 
 namespace finemote::gen {
-
-/// Smallest, mean, standard deviation and largest of a series, ns. With count 0 the rest means nothing.
-struct Statistics {
-  std::uint64_t count = 0;
-  Duration min, max;
-  double mean_ns = 0, sd_ns = 0;  ///< fractions of a nanosecond count; sd: of the whole series (divides by count)
-};
-
-Statistics summarize(const std::vector<Duration>& values);
-
-/// Of two series as one.
-Statistics together(const Statistics& a, const Statistics& b);
 
 struct StageRun {
   Duration begin, end;

@@ -4,7 +4,8 @@
 #include <optional>
 #include <string_view>
 
-#include "generator/run/measure.hpp"
+#include "generator/run/record.hpp"
+#include "generator/run/statistics.hpp"
 
 namespace finemote::gen {
 

@@ -1,5 +1,7 @@
 #include "generator/run/responses.hpp"
 
+#include "generator/run/measure.hpp"
+
 namespace finemote::gen {
 namespace {
 

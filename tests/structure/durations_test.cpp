@@ -18,8 +18,8 @@ struct Exception {
   std::string_view file, name, reason;
 };
 constexpr Exception kExceptions[] = {
-    {"run/measure.hpp", "mean_ns", "a mean has fractions of a nanosecond"},
-    {"run/measure.hpp", "sd_ns", "so has a standard deviation"},
+    {"run/statistics.hpp", "mean_ns", "a mean has fractions of a nanosecond"},
+    {"run/statistics.hpp", "sd_ns", "so has a standard deviation"},
     {"descriptor/param.hpp", "time_ns", "no time but the unit of a param, like frequency_hz"},
 };
 
