@@ -1,4 +1,4 @@
-// finemote lint: warnings that save robots, and mending what can be mended mechanically.
+// finemote lint: warnings that save robots, and fixing what can be fixed mechanically.
 #include "generator/lint/lint.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/edited_file.hpp"
-#include "generator/cli/mend.hpp"
+#include "generator/cli/lint_fix.hpp"
 #include "generator/cli/robot_input.hpp"
 
 namespace finemote::gen {
@@ -32,10 +32,10 @@ std::size_t count_fixable(const std::vector<Fix>& fixes) {
 }
 
 /// The findings, with the reason at each that was not fixed.
-Diagnostics with_reasons(const Diagnostics& findings, const Mended& mended) {
+Diagnostics with_reasons(const Diagnostics& findings, const AppliedFixes& applied) {
   Diagnostics result;
   for (Diagnostic finding : findings.in_file_order()) {
-    for (const auto& [fix, reason] : mended.refused) {
+    for (const auto& [fix, reason] : applied.refused) {
       if (fix->code == finding.code && fix->message == finding.message) finding.note("not fixed: " + reason);
     }
     result.add(finding);
@@ -43,22 +43,22 @@ Diagnostics with_reasons(const Diagnostics& findings, const Mended& mended) {
   return result;
 }
 
-std::string outcome_text(const Diagnostics& findings, const std::string& name, const Mended& mended,
+std::string outcome_text(const Diagnostics& findings, const std::string& name, const AppliedFixes& applied,
                          std::size_t fixable) {
   std::string text;
-  for (const Fix* fix : mended.fixed) text += fmt::format("fixed {}: {}\n", name, fix->message);
+  for (const Fix* fix : applied.fixed) text += fmt::format("fixed {}: {}\n", name, fix->message);
   text += fmt::format("{} finding{}\n", findings.size(), findings.size() == 1 ? "" : "s");
   if (fixable > 0) text += "run 'finemote lint --fix' to fix the mechanical ones\n";
   return text;
 }
 
 /// What is left to find, which settles the exit status: kExitNo when one is denied.
-Answer answer_of(const Options& options, const Diagnostics& findings, const std::string& name, const Mended& mended,
-                 std::size_t fixable) {
+Answer answer_of(const Options& options, const Diagnostics& findings, const std::string& name,
+                 const AppliedFixes& applied, std::size_t fixable) {
   const bool denied = is_refused(options, findings);
-  const std::vector<std::string> names(mended.fixed.empty() ? 0 : 1, name);
+  const std::vector<std::string> names(applied.fixed.empty() ? 0 : 1, name);
   Answer answer{denied ? kExitNo : kExitYes};
-  if (!options.quiet) answer.text = outcome_text(findings, name, mended, fixable);
+  if (!options.quiet) answer.text = outcome_text(findings, name, applied, fixable);
   answer.document = {{"schema", "finemote.lint/1"}, {"findings", findings.size()}, {"mended", names}};
   answer.judged = findings;
   return answer;
@@ -71,13 +71,13 @@ Answer fix_and_answer(const Options& options, const Input& input, const Linted& 
   const SourceFile* file = edited_file(linted.fixes);
   const auto mark = file == nullptr ? std::optional<std::string>("") : mark_before(*file, sources, diagnostics);
   if (!mark) return no_answer();
-  const Mended mended = mend(options, input, linted, sources, diagnostics);
-  if (!mended.edited) return answer_of(options, with_reasons(linted.findings, mended), {}, mended, 0);
+  const AppliedFixes applied = apply_fixes(options, input, linted, sources, diagnostics);
+  if (!applied.edited) return answer_of(options, with_reasons(linted.findings, applied), {}, applied, 0);
   const std::string path = file->path;
-  if (!write_result(path, *mark + mended.edited->text, diagnostics)) return no_answer();
-  Answer answer = answer_of(options, with_reasons(mended.edited->linted->findings, mended), path, mended, 0);
-  sources = std::move(mended.edited->sources);
-  diagnostics = std::move(mended.edited->diagnostics);
+  if (!write_result(path, *mark + applied.edited->text, diagnostics)) return no_answer();
+  Answer answer = answer_of(options, with_reasons(applied.edited->linted->findings, applied), path, applied, 0);
+  sources = std::move(applied.edited->sources);
+  diagnostics = std::move(applied.edited->diagnostics);
   return answer;
 }
 

@@ -28,7 +28,7 @@ Json stages_of(const Robot& robot, const Forest& forest, const Schedule& schedul
   return list;
 }
 
-Json exceptions_of(const Robot& robot, const Schedule& schedule) {
+Json exception_table(const Robot& robot, const Schedule& schedule) {
   Json list = Json::object();
   list[std::to_string(kSysTickException)] = {{"kind", "release"}};
   for (const Bucket& bucket : schedule.buckets)
@@ -155,7 +155,7 @@ std::string audit_lines(const Robot& robot, const Forest& forest, const Schedule
                    {"clock_hz", nominal * (1 + record.clock_ppm * 1e-6)},
                    {"nominal_hz", nominal},
                    {"stages", stages_of(robot, forest, schedule)},
-                   {"exceptions", exceptions_of(robot, schedule)}};
+                   {"exceptions", exception_table(robot, schedule)}};
   return first.dump() + "\n" + Audit(robot, forest, record).text();
 }
 

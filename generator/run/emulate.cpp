@@ -37,8 +37,8 @@ Json bus_ports(const Robot& robot) {
   return ports;
 }
 
-/// Of the buckets, in the order of the plan.
-Json exceptions_of(const Schedule& schedule) {
+/// In the order of the plan.
+Json bucket_exceptions(const Schedule& schedule) {
   Json list = Json::array();
   for (const Bucket& bucket : schedule.buckets) list.push_back(exception_of(bucket.line));
   return list;
@@ -200,7 +200,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
               {"parts", std::move(parts)}};
   if (!options.silicon.names.empty()) job["silicon"] = silicon_json(options.silicon);
   if (!options.loops.empty()) job["loops"] = watched_loops(options.loops);
-  if (options.audit != nullptr) job["audit"] = exceptions_of(*options.audit);
+  if (options.audit != nullptr) job["audit"] = bucket_exceptions(*options.audit);
   if (options.scenario != nullptr) job["events"] = options.scenario->document;
   const Json json = run_job(job, image, longest_bring_up(robot) + std::max(duration, last_event), diagnostics);
   if (json.is_null()) return std::nullopt;

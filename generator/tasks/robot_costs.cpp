@@ -51,7 +51,7 @@ Duration longest_behind(const ComputedCosts& computed, const Schedule& schedule)
 }
 
 /// Bounds of the image in place of what the board file says. What runs before a stage is charged with the stage.
-void take_computed(const ComputedCosts& computed, const Schedule& schedule, Duration job, Costs& costs) {
+void take_bounds_of_image(const ComputedCosts& computed, const Schedule& schedule, Duration job, Costs& costs) {
   const auto jobs = static_cast<std::int64_t>(schedule.buckets.size());  // each may be amid what a release disturbs
   costs.release = costs.interrupt + computed.release + jobs * computed.retries.release;
   costs.release_per_bucket = Duration::zero();
@@ -84,7 +84,7 @@ Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimin
   result.masked = costs.masked_section;
   result.keeps_one_release = true;
   result.source = WcetSource::assumed;
-  if (robot.computed) take_computed(*robot.computed, schedule, costs.job(), result);
+  if (robot.computed) take_bounds_of_image(*robot.computed, schedule, costs.job(), result);
   if (options.trace || options.monitor) result.masked = std::max(result.masked, costs.masked_section);
   if (options.trace) result.stage += 2 * costs.trace_event;
   if (options.monitor) result.job += monitor_cost(costs.monitor_job);

@@ -36,13 +36,10 @@ class FlushAdder {
       const FlushTime usual{costs.flush_expander, costs.flush_expander_per_channel};
       const FlushTime time = robot_.expanders[*output.expander].type->flush.value_or(usual);
       flush.wcet = time.once + (last - first + 1) * time.per_channel;
+      set_expander_burst(segment, flush);
     } else {
       flush.wcet = costs.flush + channels * costs.flush_per_channel;
-    }
-    if (output.kind == Segment::Kind::pwm_expander) {
-      set_expander_burst(segment, flush);
-    } else if (bus_type(output.bus_kind).flush == BusType::Flush::shared_frames) {
-      set_shared_frames(segment, flush);
+      if (bus_type(output.bus_kind).flush == BusType::Flush::shared_frames) set_shared_frames(segment, flush);
     }
     model_.flushes.push_back(std::move(flush));
   }
@@ -144,8 +141,8 @@ class FlushAdder {
   Model& model_;
 };
 
-/// The end of a job holds all its flushes, and may hold them in any order.
-void take_computed(Duration behind, std::size_t first, std::vector<Flush>& flushes) {
+/// The end of a job holds all its flushes, and may hold them in any order: the first bears the whole of it.
+void charge_first(Duration behind, std::size_t first, std::vector<Flush>& flushes) {
   for (std::size_t flush = first; flush < flushes.size(); ++flush)
     flushes[flush].wcet = flush == first ? behind : Duration::zero();
 }
@@ -158,7 +155,7 @@ void add_flushes(const Robot& robot, const Forest& forest, const Schedule& sched
   for (const gen::Bucket& bucket : schedule.buckets) {
     const std::size_t first = model.flushes.size();
     for (const SegmentId segment : bucket.flushes) adder.add(bucket, segment);
-    if (robot.computed) take_computed(robot.computed->behind_jobs(bucket.period), first, model.flushes);
+    if (robot.computed) charge_first(robot.computed->behind_jobs(bucket.period), first, model.flushes);
   }
 }
 

@@ -58,7 +58,7 @@ PreparedImage::PreparedImage(const Image& image, const KeptMembers& kept, CodeCo
       words_at_start_(words_set_at_start(kept)),
       constants_(image, members_, words_at_start_) {}
 
-ImageFactsForWalk PreparedImage::facts(const Constants& constants, WordStores* stores, const Marks& marks) const {
+WalkContext PreparedImage::context(const Constants& constants, WordStores* stores, const Marks& marks) const {
   const ImageSymbol* top = image_.find("_stack_top");
   return {program_, constants, marks, cost_, stores, top == nullptr ? 0 : top->address};
 }
@@ -70,7 +70,7 @@ std::map<std::uint32_t, std::uint32_t> PreparedImage::words_set_at_start(const K
   if (!start || kept.at_start.empty()) return words;
   const Constants constants(image_, members_);
   WordStores stores;
-  walk(facts(constants, &stores, marks_), *start);
+  walk(context(constants, &stores, marks_), *start);
   for (const ImageRange& range : kept.at_start) {
     for (std::uint32_t at = range.begin; at + 4 <= range.end; at += 4) {
       const auto stored = stores.find(at);

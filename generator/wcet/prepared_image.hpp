@@ -27,7 +27,7 @@ class PreparedImage {
   [[nodiscard]] Walked walk_from(std::uint32_t entry) const { return walk_from(entry, marks_); }
   /// @param marks  at the same places as its own
   [[nodiscard]] Walked walk_from(std::uint32_t entry, const Marks& marks) const {
-    return walk(facts(constants_, nullptr, marks), entry);
+    return walk(context(constants_, nullptr, marks), entry);
   }
 
   [[nodiscard]] const Marks& marks() const { return marks_; }
@@ -36,7 +36,7 @@ class PreparedImage {
   [[nodiscard]] const std::map<std::uint32_t, std::uint32_t>& words_at_start() const { return words_at_start_; }
 
  private:
-  [[nodiscard]] ImageFactsForWalk facts(const Constants& constants, WordStores* stores, const Marks& marks) const;
+  [[nodiscard]] WalkContext context(const Constants& constants, WordStores* stores, const Marks& marks) const;
   [[nodiscard]] std::map<std::uint32_t, std::uint32_t> words_set_at_start(const KeptMembers& kept) const;
 
   const Image& image_;

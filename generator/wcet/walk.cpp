@@ -167,13 +167,13 @@ class LongestLoop {
 
 class Walker {
  public:
-  explicit Walker(const ImageFactsForWalk& facts)
-      : facts_(facts), goes_on_(facts.stores == nullptr), waits_(facts.marks) {}
+  explicit Walker(const WalkContext& context)
+      : context_(context), goes_on_(context.stores == nullptr), waits_(context.marks) {}
 
   Walked result(std::uint32_t entry) {
-    const auto end = enter(entry, Arrival{at_entry(facts_.stack_top), {}}, entry, nullptr);
+    const auto end = enter(entry, Arrival{at_entry(context_.stack_top), {}}, entry, nullptr);
     if (is_spent() && walked_.problems.empty())
-      walked_.problems[entry] = longest_.problem({entry, facts_.program.at(entry), {}});
+      walked_.problems[entry] = longest_.problem({entry, context_.program.at(entry), {}});
     for (const UnrolledEdge& edge : end ? end->from : std::vector<UnrolledEdge>{})
       walked_.graph.exits.push_back(edge.from);
     return std::move(walked_);
@@ -189,7 +189,7 @@ class Walker {
   /// Goes through a function; what leaves it, if something does.
   std::optional<Arrival> enter(std::uint32_t address, Arrival arrival, std::uint32_t from,
                                const ProgramFunction* caller) {
-    const ProgramFunction* function = facts_.program.at(address);
+    const ProgramFunction* function = context_.program.at(address);
     if (function == nullptr) return fail(from, caller, "a call of what is no function"), std::nullopt;
     if (chain_.has(function) || chain_.depth() == kDeepestCalls)
       return fail(from, caller, "recursion: it has no bound"), std::nullopt;
@@ -231,12 +231,12 @@ class Walker {
 
   /// A loop, round by round, until nothing comes back to its header.
   void turn(Frame& frame, std::size_t index) {
-    const std::vector<std::uint32_t> waits = waits_of(frame.nest, index, facts_.marks);
+    const std::vector<std::uint32_t> waits = waits_of(frame.nest, index, context_.marks);
     if (!waits.empty()) return wait(frame, index, waits);
-    if (const auto reg = counter_of(frame, index, facts_.marks)) return count_down(frame, index, *reg);
+    if (const auto reg = counter_of(frame, index, context_.marks)) return count_down(frame, index, *reg);
     const Loop& loop = frame.nest.loops()[index];
     const auto rounds = go_round(frame, index);
-    if (!rounds && !is_spent()) fail(loop.header, &frame.function, why_endless(frame.nest, index, facts_.marks));
+    if (!rounds && !is_spent()) fail(loop.header, &frame.function, why_endless(frame.nest, index, context_.marks));
     note(frame, loop, rounds.value_or(0), walked_.loops);
   }
 
@@ -264,8 +264,8 @@ class Walker {
     Arrival arrival = std::move(*frame.arrivals[loop.header]);
     const auto back = static_cast<Cycles>(arrival.machine.get(reg).range().high) - 1;
     const BasicBlock& block = frame.function.graph.blocks.at(loop.header);
-    const Cycles cost = longest_round(
-        wcet::step(frame.function, block, {facts_.constants, unknowns_, facts_.stores}, facts_.cost, arrival.machine));
+    const Cycles cost = longest_round(wcet::step(
+        frame.function, block, {context_.constants, unknowns_, context_.stores}, context_.cost, arrival.machine));
     frame.arrivals[loop.header].reset();
     if (back > kLongestCount / cost) return fail(loop.header, &frame.function, "a loop that counts for seconds");
     const std::size_t node = add_node({&frame.function, loop.header, back * cost, std::move(arrival.from)}, walked_);
@@ -318,15 +318,15 @@ class Walker {
   void visit(Frame& frame, std::uint32_t block) {
     Arrival arrival = std::move(*frame.arrivals[block]);
     frame.arrivals[block].reset();
-    if (const auto refused = refusal_of(frame, block, facts_.marks))
+    if (const auto refused = refusal_of(frame, block, context_.marks))
       return fail(refused->first, &frame.function, refused->second);
-    if (!pass_mark(frame, block, facts_.marks))
-      return note_retry(frame, block, facts_.marks, std::move(arrival.from), walked_.retries);
+    if (!pass_mark(frame, block, context_.marks))
+      return note_retry(frame, block, context_.marks, std::move(arrival.from), walked_.retries);
     frame.passed[block] = walked_.graph.nodes.size();
     arrival.machine.name_unknowns(unknowns_);
     waits_.note(block, arrival.machine);
     const BasicBlock& code = frame.function.graph.blocks.at(block);
-    Step step = wcet::step(frame.function, code, {facts_.constants, unknowns_, facts_.stores}, facts_.cost,
+    Step step = wcet::step(frame.function, code, {context_.constants, unknowns_, context_.stores}, context_.cost,
                            std::move(arrival.machine));
     if (step.problem) fail(step.problem->first, &frame.function, step.problem->second);
     if (step.problem && !goes_on_) return;
@@ -351,11 +351,11 @@ class Walker {
     back->machine.stack().drop_below(back->machine.get(ARM_REG_SP).range().low);
     if (way.is_tail) return arrive(frame.end, std::move(back->machine), back->from);
     if (way.behind == 0) return;
-    for (UnrolledEdge& edge : back->from) edge.cost += facts_.cost.jump(way.behind);
+    for (UnrolledEdge& edge : back->from) edge.cost += context_.cost.jump(way.behind);
     arrive(frame.arrivals[way.behind], std::move(back->machine), back->from);
   }
 
-  const ImageFactsForWalk& facts_;
+  const WalkContext& context_;
   const bool goes_on_;  ///< behind a problem, to find others; what is presumed there must be no ground of a constant
   Unknowns unknowns_;
   Walked walked_;
@@ -368,6 +368,6 @@ class Walker {
 
 }  // namespace
 
-Walked walk(const ImageFactsForWalk& facts, std::uint32_t entry) { return Walker(facts).result(entry); }
+Walked walk(const WalkContext& context, std::uint32_t entry) { return Walker(context).result(entry); }
 
 }  // namespace finemote::gen::wcet

@@ -62,7 +62,7 @@ struct Walked {
 };
 
 /// What is known of an image for all its routines; all of it outlives the walk.
-struct ImageFactsForWalk {
+struct WalkContext {
   const Program& program;  ///< whose blocks end at the marks
   const Constants& constants;
   const Marks& marks;
@@ -72,6 +72,6 @@ struct ImageFactsForWalk {
 };
 
 /// From a routine's entry to its ends. Registers hold anything at first.
-Walked walk(const ImageFactsForWalk& facts, std::uint32_t entry);
+Walked walk(const WalkContext& context, std::uint32_t entry);
 
 }  // namespace finemote::gen::wcet

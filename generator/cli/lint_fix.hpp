@@ -29,7 +29,7 @@ struct Edited {
   std::optional<Linted> linted;
 };
 
-struct Mended {
+struct AppliedFixes {
   std::unique_ptr<Edited> edited;  ///< null when nothing was fixed
   std::vector<const Fix*> fixed;
   std::vector<std::pair<const Fix*, std::string>> refused;  ///< with the reason
@@ -42,7 +42,7 @@ std::optional<Linted> lint_planned(const Options& options, PlannedRobot planned,
 /// neither errors nor findings that were not there before, lacks the finding, and is the same robot but for the order
 /// of devices, or the bus that is removed. Writes nothing.
 /// @param said  the findings of reading and planning the robot
-Mended mend(const Options& options, const Input& input, const Linted& linted, const Sources& sources,
-            const Diagnostics& said);
+AppliedFixes apply_fixes(const Options& options, const Input& input, const Linted& linted, const Sources& sources,
+                         const Diagnostics& said);
 
 }  // namespace finemote::gen

@@ -1,4 +1,4 @@
-#include "generator/cli/mend.hpp"
+#include "generator/cli/lint_fix.hpp"
 
 #include <fmt/format.h>
 
@@ -96,13 +96,13 @@ bool depends_on_arguments(const Sources& sources) {
   });
 }
 
-class Mender {
+class FixTrial {
  public:
-  Mender(const Options& options, const Input& input, const Linted& linted, const Sources& sources,
-         const Diagnostics& said)
+  FixTrial(const Options& options, const Input& input, const Linted& linted, const Sources& sources,
+           const Diagnostics& said)
       : options_(options), input_(input), linted_(linted), sources_(sources), before_(keys_of(said, linted)) {}
 
-  Mended run() {
+  AppliedFixes run() {
     std::vector<const Fix*> open;
     const bool is_open_ended = depends_on_arguments(sources_);
     for (const Fix& fix : linted_.fixes) {
@@ -115,18 +115,18 @@ class Mender {
       }
     }
     if (!open.empty()) try_all(open);
-    return std::move(mended_);
+    return std::move(applied_);
   }
 
  private:
-  void refuse(const Fix& fix, std::string reason) { mended_.refused.emplace_back(&fix, std::move(reason)); }
+  void refuse(const Fix& fix, std::string reason) { applied_.refused.emplace_back(&fix, std::move(reason)); }
 
   /// All together, else one after the other.
   void try_all(const std::vector<const Fix*>& fixes) {
     const std::string all_refused = take(fixes);
     if (all_refused.empty()) return;
     for (const Fix* fix : fixes) {
-      std::vector<const Fix*> more = mended_.fixed;
+      std::vector<const Fix*> more = applied_.fixed;
       more.push_back(fix);
       const std::string reason = more.size() == fixes.size() ? all_refused : take(more);
       if (!reason.empty()) refuse(*fix, reason);
@@ -138,8 +138,8 @@ class Mender {
     std::unique_ptr<Edited> edited = read(fixes);
     std::string reason = objection(*edited, fixes);
     if (!reason.empty()) return reason;
-    mended_.edited = std::move(edited);
-    mended_.fixed = fixes;
+    applied_.edited = std::move(edited);
+    applied_.fixed = fixes;
     return {};
   }
 
@@ -183,7 +183,7 @@ class Mender {
   const Linted& linted_;
   const Sources& sources_;
   Sayings before_;
-  Mended mended_;
+  AppliedFixes applied_;
 };
 
 }  // namespace
@@ -199,9 +199,9 @@ std::optional<Linted> lint_planned(const Options& options, PlannedRobot planned,
   return linted;
 }
 
-Mended mend(const Options& options, const Input& input, const Linted& linted, const Sources& sources,
-            const Diagnostics& said) {
-  return Mender(options, input, linted, sources, said).run();
+AppliedFixes apply_fixes(const Options& options, const Input& input, const Linted& linted, const Sources& sources,
+                         const Diagnostics& said) {
+  return FixTrial(options, input, linted, sources, said).run();
 }
 
 }  // namespace finemote::gen
