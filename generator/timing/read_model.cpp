@@ -302,8 +302,7 @@ std::optional<Rank> ModelReader::find_device(const std::string& device, const Va
   std::vector<std::string> names;
   for (const auto& [known, index] : device_names_) names.push_back(known);
   auto& d = values_.error(code::timing_parent, where, fmt::format("there is no device '{}'", device));
-  const std::string hint = names.size() <= 1000 ? did_you_mean(device, names) : "";
-  if (!hint.empty()) d.hint(hint);
+  if (names.size() <= 1000) suggest(d, device, names);
   return std::nullopt;
 }
 
