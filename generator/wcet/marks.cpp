@@ -9,14 +9,10 @@
 namespace finemote::gen::wcet {
 namespace {
 
+using namespace records;
+
 constexpr std::size_t kRecord = 8;  // address, number
-// runtime/include/finemote/loop_bound.hpp
-constexpr std::uint32_t kUnlessInterrupted = 0x8000'0000;
-constexpr unsigned kRetriedByShift = 24;
 constexpr std::uint32_t kPassesMask = (1U << kRetriedByShift) - 1;
-constexpr std::uint32_t kBegins = 0x8000'0000;
-// runtime/include/finemote/raised_by.hpp
-constexpr std::uint32_t kOnceForEach = 0x8000'0000;
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;

@@ -19,6 +19,16 @@ inline constexpr std::uint32_t kFirstWorkMark = 0x40000;
 /// The begin of Work::masked there.
 inline constexpr std::uint32_t kMaskedMark = kFirstWorkMark + 2 * 7;
 
+/// What the second words of records are made of.
+namespace records {
+// runtime/include/finemote/loop_bound.hpp
+inline constexpr std::uint32_t kUnlessInterrupted = 0x8000'0000;
+inline constexpr unsigned kRetriedByShift = 24;
+inline constexpr std::uint32_t kBegins = 0x8000'0000;
+// runtime/include/finemote/raised_by.hpp
+inline constexpr std::uint32_t kOnceForEach = 0x8000'0000;
+}  // namespace records
+
 struct Marks {
   /// By address: numbers of runtime/include/finemote/mark.hpp.
   std::multimap<std::uint32_t, std::uint32_t> brackets;
