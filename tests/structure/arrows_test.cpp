@@ -138,6 +138,21 @@ TEST_CASE("a folder of the generator includes only those that generator/README.m
   }
 }
 
+TEST_CASE("the reading orders of generator/README.md name headers that are there") {
+  std::istringstream page(read(kGenerator / "README.md"));
+  fs::path folder;
+  std::size_t names = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("## ", 0) == 0) folder.clear();
+    if (line.rfind("### `", 0) == 0) folder = kGenerator / line.substr(5, line.find('`', 5) - 5);
+    if (folder.empty() || line.rfind("| ", 0) != 0) continue;
+    std::istringstream rest(cells_of(line).back());
+    for (std::string text, name; std::getline(rest, text, '`') && std::getline(rest, name, '`'); ++names)
+      if (!fs::exists(folder / (name + ".hpp"))) FAIL_CHECK("there is no header of " << folder / name);
+  }
+  CHECK(names > 100);
+}
+
 TEST_CASE("the emulator includes only those folders of the generator that emulator/README.md allows it") {
   const std::set<std::string> listed = listed_for_emulator();
   const Included used = included_by_emulator();
