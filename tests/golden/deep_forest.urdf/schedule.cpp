@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 517943, finemote::kNothingToBound, nullptr},  // remote
-    {0, 155943, 16156743, &walker::hip_left.command},  // hip-left
-    {0, 142326, 16143126, &walker::knee_left.command},  // knee-left
-    {1, 250190, 12250790, &walker::leg_left.command},  // leg-left
-    {0, 128708, 16129508, &walker::hip_right.command},  // hip-right
-    {0, 115090, 16115890, &walker::knee_right.command},  // knee-right
-    {1, 245775, 12246375, &walker::leg_right.command},  // leg-right
-    {1, 242390, 12242990, &walker::front.command},  // front
-    {0, 101473, 12102073, &walker::tilt.command},  // tilt
-    {2, 508409, 2414262, &walker::body.command},  // body
-    {2, 505018, finemote::kNothingToBound, nullptr},  // walker
-    {2, 441105, 10441605, &gripper::finger.command},  // finger
-    {1, 212901, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 518463, finemote::kNothingToBound, nullptr},  // remote
+    {0, 156463, 16157263, &walker::hip_left.command},  // hip-left
+    {0, 142846, 16143646, &walker::knee_left.command},  // knee-left
+    {1, 250710, 12251310, &walker::leg_left.command},  // leg-left
+    {0, 129228, 16130028, &walker::hip_right.command},  // hip-right
+    {0, 115610, 16116410, &walker::knee_right.command},  // knee-right
+    {1, 246295, 12246895, &walker::leg_right.command},  // leg-right
+    {1, 242910, 12243510, &walker::front.command},  // front
+    {0, 101993, 12102593, &walker::tilt.command},  // tilt
+    {2, 508929, 2414782, &walker::body.command},  // body
+    {2, 505538, finemote::kNothingToBound, nullptr},  // walker
+    {2, 441625, 10442125, &gripper::finger.command},  // finger
+    {1, 213421, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 579206, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1108589, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1105889, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1100788, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1098087, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1095387, 31498924, &rov::thruster_1.command},  // thruster_1
-    {1, 1090763, 31494300, &rov::thruster_2.command},  // thruster_2
-    {1, 1086205, 31484245, &rov::thruster_3.command},  // thruster_3
-    {1, 1079245, 31477285, &rov::thruster_4.command},  // thruster_4
-    {1, 1074681, 31472721, &rov::thruster_5.command},  // thruster_5
-    {1, 1070063, 31468103, &rov::thruster_6.command},  // thruster_6
-    {1, 1065505, 31463341, &rov::thruster_7.command},  // thruster_7
-    {1, 1060881, 31458783, &rov::thruster_8.command},  // thruster_8
-    {1, 1053987, finemote::kNothingToBound, nullptr},  // rov
+    {0, 579226, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1108609, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1105909, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1100808, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1098107, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1095407, 31498944, &rov::thruster_1.command},  // thruster_1
+    {1, 1090783, 31494320, &rov::thruster_2.command},  // thruster_2
+    {1, 1086225, 31484265, &rov::thruster_3.command},  // thruster_3
+    {1, 1079265, 31477305, &rov::thruster_4.command},  // thruster_4
+    {1, 1074701, 31472741, &rov::thruster_5.command},  // thruster_5
+    {1, 1070083, 31468123, &rov::thruster_6.command},  // thruster_6
+    {1, 1065525, 31463361, &rov::thruster_7.command},  // thruster_7
+    {1, 1060901, 31458803, &rov::thruster_8.command},  // thruster_8
+    {1, 1054007, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace
