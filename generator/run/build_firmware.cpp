@@ -98,11 +98,10 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
       diagnostics.error(code::firmware_build_failed, {},
                         result.timed_out ? fmt::format("{} took longer than {} s", what, kLongestBuild.count())
                                          : fmt::format("{} failed", what));
-  const std::string output = messages_of(result.output);
-  finding.note("\n" + shortened(output));
-  if (wants_heap(output))
+  finding.note("\n" + shortened(messages_of(result.output)));
+  if (wants_heap(result.output))
     finding.hint("there is no heap: keep what std::vector, std::string or new would allocate in members of fixed size");
-  if (is_too_large_for_sram(output))
+  if (is_too_large_for_sram(result.output))
     finding.hint("with its code in flash, where it has more room: <param name=\"code\">flash</param> in <board>");
   return false;
 }

@@ -38,10 +38,16 @@ class ModelReader {
   void read_acquisition(Device& device, const Value& v);
   void read_transfer(Device& device, const Value& v);
   void read_undeclared(Device& device, const Value& v);
-  void read_unknown_age(Device& device, const Value& v);
+  void read_unknown_age(Device& device, const Value& v) {
+    device.unknown_age = values_.one_of(v, "a device", "unknown_age", kUnknownAgeWords);
+  }
   void read_transfer_bus(Transfer& transfer, const Value& v);
-  void read_after(Transfer& transfer, const Value& v);
-  void read_cause(FrameBudget& budget, const Value& v);
+  void read_after(Transfer& transfer, const Value& v) {
+    transfer.after = values_.one_of(v, "a transfer", "after", kAfterWords);
+  }
+  void read_cause(FrameBudget& budget, const Value& v) {
+    budget.cause = values_.one_of(v, "a budget", "cause", kCauseWords);
+  }
   void read_identifier(Transfer& transfer, const Value& v);
   void read_clock(Model& model, const Value& v);
   void read_costs(Model& model, const Value& v);
@@ -329,10 +335,6 @@ void ModelReader::read_undeclared(Device& device, const Value& v) {
   if (const auto bus = find_bus(values_.text(v, "a device", "undeclared"), v)) device.undeclared.push_back(*bus);
 }
 
-void ModelReader::read_unknown_age(Device& device, const Value& v) {
-  device.unknown_age = values_.one_of(v, "a device", "unknown_age", kUnknownAgeWords);
-}
-
 void ModelReader::read_transfer(Device& device, const Value& v) {
   if (values_.is_object(v, "a transfer"))
     values_.read_fields(v, "a transfer", Tables::kTransfer, device.transfers.emplace_back(), *this);
@@ -340,14 +342,6 @@ void ModelReader::read_transfer(Device& device, const Value& v) {
 
 void ModelReader::read_transfer_bus(Transfer& transfer, const Value& v) {
   if (const auto found = find_bus(values_.text(v, "a transfer", "bus"), v)) transfer.bus = *found;
-}
-
-void ModelReader::read_after(Transfer& transfer, const Value& v) {
-  transfer.after = values_.one_of(v, "a transfer", "after", kAfterWords);
-}
-
-void ModelReader::read_cause(FrameBudget& budget, const Value& v) {
-  budget.cause = values_.one_of(v, "a budget", "cause", kCauseWords);
 }
 
 void ModelReader::read_identifier(Transfer& transfer, const Value& v) {

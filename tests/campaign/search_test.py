@@ -92,7 +92,7 @@ class Bounds(unittest.TestCase):
 
 class Search(unittest.TestCase):
     def test_bounds_that_only_plain_stimuli_keep_are_broken(self):
-        words = ["--finemote", FINEMOTE, "--generations", "8", "--jobs", "1", "--inject", "host_link"]
+        words = ["--finemote", FINEMOTE, "--generations", "16", "--jobs", "1", "--inject", "host_link"]
         answer = subprocess.run([sys.executable, HERE / "search.py", *words], capture_output=True, text=True, check=False)
         self.assertEqual(answer.returncode, 1, answer.stderr)
         self.assertIn("broken: host_link root update", answer.stdout)
