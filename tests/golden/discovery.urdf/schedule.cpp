@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 285608, finemote::kNothingToBound, nullptr},  // imu
-    {1, 619703, finemote::kNothingToBound, nullptr},  // depth
-    {1, 617003, finemote::kNothingToBound, nullptr},  // button
-    {1, 614105, 24095180, &station::servo.command},  // servo
-    {1, 609369, 24090444, &station::green_led.command},  // green_led
-    {1, 603263, 24084272, &station::blue_led.command},  // blue_led
-    {1, 597282, finemote::kNothingToBound, nullptr},  // station
+    {0, 285650, finemote::kNothingToBound, nullptr},  // imu
+    {1, 620354, finemote::kNothingToBound, nullptr},  // depth
+    {1, 617653, finemote::kNothingToBound, nullptr},  // button
+    {1, 614755, 24095717, &station::servo.command},  // servo
+    {1, 610019, 24090981, &station::green_led.command},  // green_led
+    {1, 603871, 24084767, &station::blue_led.command},  // blue_led
+    {1, 597848, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 573.806 us of its release.
+/// a job ends within 573.848 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{573806, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1043585, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1043585, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1043585, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1043585, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1043585, 31440287, 35694137};
-inline constexpr finemote::Bounds thruster_2{1041727, 31438429, 35694137};
-inline constexpr finemote::Bounds thruster_3{1039802, 31436570, 35694136};
-inline constexpr finemote::Bounds thruster_4{1029975, 31434646, 35696406};
-inline constexpr finemote::Bounds thruster_5{1028045, 31432782, 35696472};
-inline constexpr finemote::Bounds thruster_6{1026193, 31430930, 35717025};
-inline constexpr finemote::Bounds thruster_7{1024335, 31429000, 35716953};
-inline constexpr finemote::Bounds thruster_8{1022477, 31427142, 35716953};
-inline constexpr finemote::Bounds rov{1020619, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{573848, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1043633, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1043633, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1043633, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1043633, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1043633, 31440335, 35694185};
+inline constexpr finemote::Bounds thruster_2{1041775, 31438477, 35694185};
+inline constexpr finemote::Bounds thruster_3{1039850, 31436618, 35694184};
+inline constexpr finemote::Bounds thruster_4{1030023, 31434694, 35696454};
+inline constexpr finemote::Bounds thruster_5{1028093, 31432830, 35696520};
+inline constexpr finemote::Bounds thruster_6{1026241, 31430978, 35717073};
+inline constexpr finemote::Bounds thruster_7{1024383, 31429048, 35717001};
+inline constexpr finemote::Bounds thruster_8{1022525, 31427190, 35717001};
+inline constexpr finemote::Bounds rov{1020667, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

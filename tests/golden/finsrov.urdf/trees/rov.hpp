@@ -19,7 +19,7 @@
 namespace FinsROV::rov {
 
 /// imu: h30_imu on 'imu_uart', every 5 ms
-/// response <= 573.806 us
+/// response <= 573.848 us
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_uart};
 
 /// baro_1: ms5837 on 'segment_0' at 0x76, every 10 ms
@@ -53,7 +53,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 2}};
 
 /// thruster_4: pwm_esc on 'pwm' channel 3, every 10 ms
-/// response <= 1.03 ms; data age <= 31.435 ms when handle() ends, <= 35.697 ms at the output (oldest: baro_2)
+/// response <= 1.031 ms; data age <= 31.435 ms when handle() ends, <= 35.697 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 3}};
 
 /// thruster_5: pwm_esc on 'pwm' channel 4, every 10 ms
@@ -69,11 +69,11 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     finemote::PwmChannel{pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
-/// response <= 1.025 ms; data age <= 31.429 ms when handle() ends, <= 35.717 ms at the output (oldest: baro_3)
+/// response <= 1.025 ms; data age <= 31.43 ms when handle() ends, <= 35.718 ms at the output (oldest: baro_3)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
-/// response <= 1.023 ms; data age <= 31.428 ms when handle() ends, <= 35.717 ms at the output (oldest: baro_3)
+/// response <= 1.023 ms; data age <= 31.428 ms when handle() ends, <= 35.718 ms at the output (oldest: baro_3)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 7}};
