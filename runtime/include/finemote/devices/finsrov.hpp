@@ -5,7 +5,6 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/control/pid.hpp"
-#include "finemote/control/step_time.hpp"
 #include "finemote/devices/finsrov_host.hpp"
 #include "finemote/interfaces/imu.hpp"
 #include "finemote/interfaces/pressure.hpp"
@@ -105,7 +104,7 @@ class FinsRov {
   float test_[kThrusters]{};  ///< efforts of the TES command
   Time ordered_ = 0;          ///< the last motion or test order
   Time depth_at_ = 0;         ///< origin of depth_now_
-  StepTime step_;
+  Time stepped_ = 0;          ///< last control step
   Time reported_ = 0;
   Pid depth_loop_, roll_loop_, pitch_loop_, yaw_loop_;
 };

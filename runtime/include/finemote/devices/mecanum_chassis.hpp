@@ -3,7 +3,6 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/control/pid.hpp"
-#include "finemote/control/step_time.hpp"
 #include "finemote/geometry.hpp"
 #include "finemote/interfaces/motor.hpp"
 #include "finemote/interfaces/remote.hpp"
@@ -66,7 +65,7 @@ class MecanumChassis {
   const Port<Remote> remote_;
   Motion motion_;
   Pid loops_[kWheels];
-  StepTime step_;
+  Time stepped_ = 0;
 };
 
 }  // namespace finemote

@@ -3,7 +3,6 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/control/pid.hpp"
-#include "finemote/control/step_time.hpp"
 #include "finemote/geometry.hpp"
 #include "finemote/interfaces/motor.hpp"
 #include "finemote/interfaces/remote.hpp"
@@ -62,7 +61,7 @@ class SerialArm {
   float aims_[kMaxJoints]{};
   float weights_[kMaxJoints]{};
   Pid loops_[kMaxJoints];
-  StepTime step_;
+  Time stepped_ = 0;
 };
 
 }  // namespace finemote
