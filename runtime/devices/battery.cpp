@@ -1,6 +1,6 @@
 #include "finemote/devices/battery.hpp"
 
-#include "finemote/control/numbers.hpp"
+#include "finemote/control/pid.hpp"
 
 namespace finemote {
 

@@ -1,5 +1,7 @@
 #include "finemote/devices/led.hpp"
 
+#include "finemote/control/pid.hpp"
+
 namespace finemote {
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "finemote/control/numbers.hpp"
+#include "finemote/control/pid.hpp"
 
 namespace finemote {
 

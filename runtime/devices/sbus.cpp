@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "finemote/control/numbers.hpp"
+#include "finemote/control/pid.hpp"
 #include "little_endian.hpp"
 
 namespace finemote {
