@@ -1,7 +1,6 @@
 #include "finemote/devices/finsrov_host.hpp"
 
 #include "finemote/four_bytes.hpp"
-#include "little_endian.hpp"
 
 namespace finemote {
 
@@ -186,8 +185,8 @@ bool FinsRovHost::take_number() {
 }
 
 void FinsRovHost::keep(std::int32_t number) {
-  put_uint16(static_cast<std::uint16_t>(number), text_ + kept_);
-  kept_ = static_cast<std::uint8_t>(kept_ + sizeof(std::uint16_t));
+  text_[kept_++] = static_cast<std::uint8_t>(number);
+  text_[kept_++] = static_cast<std::uint8_t>(number >> 8);
 }
 
 bool FinsRovHost::next(FinsRovOrder& order) {
@@ -196,7 +195,9 @@ bool FinsRovHost::next(FinsRovOrder& order) {
   const Word& word = kWords[*kept++];
   order.verb = word.verb;
   const std::size_t numbers = word.numbers < kMostNumbers ? word.numbers : kMostNumbers;
-  for (std::size_t i = 0; i < numbers; ++i, kept += 2) order.value[i] = int16_at(kept);
+  for (std::size_t i = 0; i < numbers; ++i, kept += 2) {
+    order.value[i] = static_cast<std::int16_t>(kept[0] | kept[1] << 8);
+  }
   at_ = static_cast<std::uint8_t>(kept - text_);
   return true;
 }
