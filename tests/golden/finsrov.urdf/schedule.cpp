@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 579226, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1108609, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1105909, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1100808, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1098107, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1095407, 31498944, &rov::thruster_1.command},  // thruster_1
-    {1, 1090783, 31494320, &rov::thruster_2.command},  // thruster_2
-    {1, 1086225, 31484265, &rov::thruster_3.command},  // thruster_3
-    {1, 1079265, 31477305, &rov::thruster_4.command},  // thruster_4
-    {1, 1074701, 31472741, &rov::thruster_5.command},  // thruster_5
-    {1, 1070083, 31468123, &rov::thruster_6.command},  // thruster_6
-    {1, 1065525, 31463361, &rov::thruster_7.command},  // thruster_7
-    {1, 1060901, 31458803, &rov::thruster_8.command},  // thruster_8
-    {1, 1054007, finemote::kNothingToBound, nullptr},  // rov
+    {0, 579268, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1108657, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1105957, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1100856, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1098155, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1095455, 31498992, &rov::thruster_1.command},  // thruster_1
+    {1, 1090831, 31494368, &rov::thruster_2.command},  // thruster_2
+    {1, 1086273, 31484313, &rov::thruster_3.command},  // thruster_3
+    {1, 1079313, 31477353, &rov::thruster_4.command},  // thruster_4
+    {1, 1074749, 31472789, &rov::thruster_5.command},  // thruster_5
+    {1, 1070131, 31468171, &rov::thruster_6.command},  // thruster_6
+    {1, 1065573, 31463409, &rov::thruster_7.command},  // thruster_7
+    {1, 1060949, 31458851, &rov::thruster_8.command},  // thruster_8
+    {1, 1054055, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace
