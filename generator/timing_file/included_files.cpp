@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "generator/output/manifest.hpp"
 #include "generator/timing_file/logical_lines.hpp"
 
 namespace finemote::gen {
@@ -91,6 +92,12 @@ std::vector<Name> names_in(const std::string& text) {
   return names;
 }
 
+/// What FineMote writes where it is asked to: a timing file cannot be an input of itself.
+bool is_result(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  return ending == ".json" || ending == ".html" || ending == ".svg";
+}
+
 class Search {
  public:
   Search(const std::vector<SourceText>& sources, const std::vector<std::string>& folders, const files::Access& access)
@@ -120,8 +127,18 @@ class Search {
 
   /// Every file beside the one that includes and in the folders, and below them.
   void take_all(const fs::path& by) {
-    for (const std::string& folder : folders_) take_below(folder, {}, kMostLevels);
-    if (!by.empty()) take_below(by.parent_path(), {}, kMostLevels);
+    for (const std::string& folder : folders_) take_all_in(folder);
+    if (!by.empty()) take_all_in(by.parent_path());
+  }
+
+  void take_all_in(const fs::path& folder) {
+    if (looked_through_.insert(real(folder)).second) take_below(folder, {}, kMostLevels);
+  }
+
+  /// Made of the sources, as is what is below it: generated files, a build, the history.
+  [[nodiscard]] bool is_product(const fs::path& folder) const {
+    const auto has = [&](const char* name) { return !access_.why_not((folder / name).string()); };
+    return folder.filename() == ".git" || has(kManifestName) || has("CMakeCache.txt");
   }
 
   void take_below(const fs::path& folder, const fs::path& way, unsigned levels_left) {
@@ -129,8 +146,8 @@ class Search {
     for (const std::string& entry : access_.list((folder / way).string(), denial)) {
       const fs::path path = folder / way / entry;
       if (!access_.holds_folder(path.string())) {
-        take((way / entry).generic_string(), path);
-      } else if (levels_left > 0) {
+        if (!is_result(path)) take((way / entry).generic_string(), path);
+      } else if (levels_left > 0 && !is_product(path)) {
         take_below(folder, way / entry, levels_left - 1);
       }
     }
@@ -148,7 +165,7 @@ class Search {
 
   const std::vector<std::string>& folders_;
   const files::Access& access_;
-  std::set<std::string> seen_;
+  std::set<std::string> seen_, looked_through_;
   std::vector<SourceText> found_;
 };
 

@@ -20,8 +20,8 @@ bool has_source_name(const std::string& name);
 /// What `sources` include, what that includes, and so on, each file once; `sources` themselves are not in it. A line
 /// that a compiler leaves out counts as well, for no `#if` is evaluated. What is found neither beside the file that
 /// includes it nor in `folders` belongs to the runtime or to the compiler. A macro that stands for a name counts as
-/// included. Where a macro with arguments makes the name, or an assembler includes, every file beside it and in
-/// `folders` counts.
+/// included. Where a macro with arguments makes the name, or an assembler includes, every file beside it, in `folders`
+/// and below them counts that neither FineMote nor a build has made.
 /// @param folders  what the compiler looks through, in this order
 std::vector<SourceText> included_files(const std::vector<SourceText>& sources, const std::vector<std::string>& folders,
                                        const files::Access& access);

@@ -207,6 +207,26 @@ TEST_CASE("files are inputs of a timing file by what includes them, not by their
   CHECK(is_stale());
 }
 
+TEST_CASE("what is made of a robot is no input of its timing file, wherever a macro may include from") {
+  const OneRobot one;
+  const std::string source = read_file(one.path("devices/counter.hpp"));
+  write_file(one.path("devices/counter.hpp"), "#include \"../common.hpp\"\n" + source);
+  write_file(one.path("common.hpp"),
+             "#define TEXT(x) #x\n#define TABLE(name) TEXT(tables/name.inc)\n#include TABLE(own)\n");
+  write_file(one.path("tables/own.inc"), "// one\n");
+  const auto is_stale = [&] { return told_by({"analyze", one.robot()}).says("FM4022"); };
+  for (int times = 0; times < 2; ++times)
+    REQUIRE(run_finemote({"wcet", one.robot(), "-o", one.timing_file()}).exit_status == 0);
+  CHECK_FALSE(is_stale());
+  REQUIRE(run_finemote({"generate", one.robot(), "-o", one.path("generated")}).exit_status == 0);
+  REQUIRE(run_finemote({"report", one.robot(), "-o", one.path("report.html")}).exit_status == 0);
+  write_file(one.path("build/CMakeCache.txt"), "");
+  write_file(one.path(".git/HEAD"), "one");
+  CHECK_FALSE(is_stale());
+  write_file(one.path("tables/own.inc"), "// two\n");
+  CHECK(is_stale());
+}
+
 TEST_CASE("a file that lacks rows of the scheduler leaves its costs assumed, and of two rows the longer one counts") {
   const OneRobot one;
   Json document = Json::parse(read_file(one.timing_file()));
