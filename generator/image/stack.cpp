@@ -127,15 +127,13 @@ class Analysis {
 
   /// Arithmetic on 'double' is what its caller does.
   void report(const std::string& problem, const std::string& name) {
-    const bool is_called = is_double_arithmetic(name) && trail_.size() > 1;
-    if (!is_called) {
+    const auto caller =
+        std::find_if(trail_.rbegin(), trail_.rend(), [](const std::string& n) { return !is_double_arithmetic(n); });
+    if (!is_double_arithmetic(name) || caller == trail_.rend()) {
       fail(code::unbounded_stack, fmt::format("in '{}': {}", name, problem));
       return;
     }
-    const auto caller =
-        std::find_if(trail_.rbegin(), trail_.rend(), [](const std::string& n) { return !is_double_arithmetic(n); });
-    fail(code::unbounded_stack, fmt::format("in '{}': arithmetic on 'double' has no bound on this core",
-                                            caller == trail_.rend() ? name : *caller))
+    fail(code::unbounded_stack, fmt::format("in '{}': arithmetic on 'double' has no bound on this core", *caller))
         .hint(std::string(kInsteadOfDouble));
   }
 

@@ -165,8 +165,8 @@ void add_declared(Json& entry, const std::string& name, const Declared<Amount>& 
 
 /// Null where nobody looked at it.
 Json traffic_json(const std::vector<MeasuredTraffic>& all, BusId bus) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const MeasuredTraffic& t) { return t.bus == bus; });
-  if (found == all.end()) return nullptr;
+  const MeasuredTraffic* found = find_traffic(all, bus);
+  if (found == nullptr) return nullptr;
   const auto ns = [](Duration duration) { return duration.ns(); };
   Json entry{{"window_ns", found->window.ns()}};
   add_declared(entry, "sent_ns", found->sent, ns);

@@ -217,8 +217,8 @@ std::string missing_text(const RunResult& result) {
 
 /// `, declared 12.3 % at most`: how much of a time as long as the run the busier line of a bus can be in use.
 std::string declared_text(const std::vector<MeasuredTraffic>& all, BusId bus) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const MeasuredTraffic& t) { return t.bus == bus; });
-  if (found == all.end() || !found->sent.most) return "";
+  const MeasuredTraffic* found = find_traffic(all, bus);
+  if (found == nullptr || !found->sent.most) return "";
   Duration most = *found->sent.most;
   if (found->received) most = std::max(most, found->received->most.value_or(most));
   const double share =

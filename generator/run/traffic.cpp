@@ -70,6 +70,11 @@ std::vector<MeasuredTraffic> measure_traffic(const Robot& robot, const timing::M
   return all;
 }
 
+const MeasuredTraffic* find_traffic(const std::vector<MeasuredTraffic>& all, BusId bus) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const MeasuredTraffic& t) { return t.bus == bus; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 void merge(std::vector<MeasuredTraffic>& all, const std::vector<MeasuredTraffic>& more) {
   for (std::size_t i = 0; i < all.size() && i < more.size(); ++i) {
     if (all[i].judged() != Judgement::broken && more[i].judged() == Judgement::broken) all[i] = more[i];

@@ -37,6 +37,9 @@ struct MeasuredTraffic {
 /// Of one run on the emulated board: the buses that carry bits.
 std::vector<MeasuredTraffic> measure_traffic(const Robot& robot, const timing::Model& model, const RunRecord& record);
 
+/// That of a bus; null: nobody looked at it.
+const MeasuredTraffic* find_traffic(const std::vector<MeasuredTraffic>& all, BusId bus);
+
 /// Adds another run: what it shows counts where it is above what is declared, and nothing was so far.
 void merge(std::vector<MeasuredTraffic>& all, const std::vector<MeasuredTraffic>& more);
 

@@ -24,7 +24,7 @@ std::int64_t words_of(const Crossing& crossing) {
   return crossing.type.rfind("finemote::", 0) == 0 ? kShippedWords : kCrossingWords;
 }
 
-/// As the board's clock counts it.
+/// Something of the part comes to the device.
 bool brings(const Frame& frame) { return frame.read_bytes > 0 || frame.stage == FrameStage::autonomous; }
 
 /// What a part sends goes into the state that others see, some time after it was so.
@@ -56,6 +56,7 @@ UnknownAge unknown_age(const Robot& robot, const gen::Device& device) {
   return may_find_slot_busy(robot, device) ? UnknownAge::busy_slot : UnknownAge::none;
 }
 
+/// As the board's clock counts it.
 std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device& device) {
   if (device.type == nullptr || !device.type->acquisition) return {};
   const gen::Acquisition& given = *device.type->acquisition;

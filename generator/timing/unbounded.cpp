@@ -94,7 +94,6 @@ std::size_t still_missing(const Timing& after, const Timing& before, ChainPart p
 
 std::vector<std::string> restored_by(const Timing& timing, const Cause& cause, const std::vector<std::size_t>& chains,
                                      Trials& trials) {
-  if (cause.ageless) return {};
   if (!cause.bus || !undeclared_text(timing.model, *cause.bus).empty()) return {};  // the hints of FM4015
   const Goal goal{[&](const Timing& t) { return static_cast<double>(still_missing(t, timing, cause.part, chains)); }, 0,
                   true};
