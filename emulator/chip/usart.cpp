@@ -99,7 +99,8 @@ void Usart::arrive(const Arrival& arrival, const SerialFormat& sender) {
   if ((cr3_ & kDmaReceive) != 0) wiring_.dma(wiring_.rx);
   // An idle frame after the last stop bit: RM0090 30.3.3.
   ++idle_token_;
-  world_.after(mine.bits() * period_of(mine.baud), [this, token = idle_token_] { line_idle(token); });
+  const Time idle_at = world_.now() + mine.byte_time();
+  world_.at(idle_at, [this, token = idle_token_, idle_at] { line_idle(token, idle_at); });
   update();
 }
 
@@ -124,8 +125,8 @@ Usart::Sampled Usart::sample(unsigned byte, const SerialFormat& sender) {
   return {nine ? tenth : 0, errors};
 }
 
-void Usart::line_idle(std::uint64_t token) {
-  if (token != idle_token_ || in_free_at_ > world_.now()) return;
+void Usart::line_idle(std::uint64_t token, Time at) {
+  if (token != idle_token_ || in_free_at_ >= at) return;  // the core may be later than that, and a byte still to come
   sr_ |= kIdle;
   update();
 }

@@ -70,7 +70,7 @@ class Usart : public Peripheral {
     std::uint32_t errors;  ///< as in SR
   };
   [[nodiscard]] Sampled sample(unsigned byte, const SerialFormat& sender);
-  void line_idle(std::uint64_t token);
+  void line_idle(std::uint64_t token, Time at);
   [[nodiscard]] std::uint8_t sent_bits(std::uint32_t value) const;
   void write_cr1(std::uint32_t value);
   void hear_noise();

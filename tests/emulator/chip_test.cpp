@@ -71,6 +71,25 @@ TEST_CASE("circular DMA receives into RAM, flags half and end, and starts over")
   CHECK((bench.read(kUsart6) & 0x10) != 0);  // the line is idle
 }
 
+TEST_CASE("a line between two bytes is not idle, however near the rates of both sides are") {
+  constexpr std::uint32_t kIdle = 1U << 4, kByteNs = 86'875;
+  for (const std::uint32_t baud : {115'040U, 115'070U, 115'100U, 115'108U}) {
+    for (std::uint64_t ns = 0; ns < 200; ns += 7) {
+      Bench bench;
+      receive_by_dma(bench, 0x20002000, 4, 1U << 8);
+      bench.run(100'000 + ns);
+      static_cast<void>(bench.read(kUsart6));
+      static_cast<void>(bench.read(kUsart6 + 4));  // what was idle before
+      bench.board.chip().usart("usart6")->send_in({1, 2, 3}, SerialFormat{baud, false, 1});
+      bench.run(3 * kByteNs + kByteNs / 2);
+      INFO(baud << " " << ns);
+      CHECK((bench.read(kUsart6) & kIdle) == 0);
+      bench.run(kByteNs);
+      CHECK((bench.read(kUsart6) & kIdle) != 0);
+    }
+  }
+}
+
 TEST_CASE("a stream with two buffers fills one after the other, and says which") {
   constexpr std::uint32_t kSecond = 1U << 19;  // CT
   Bench bench;
