@@ -189,8 +189,8 @@ std::optional<Duration> longest_of(const std::vector<InterruptSource>& sources) 
 }
 
 /// One source of the driver of a bus, without budgets.
-InterruptSource source_of(const Robot& robot, BusId id, const BusUse& use, const Driver& driver,
-                          const DriverSource& given) {
+InterruptSource served_interrupt(const Robot& robot, BusId id, const BusUse& use, const Driver& driver,
+                                 const DriverSource& given) {
   const gen::Bus& bus = robot.buses[id];
   const BusType& type = bus_type(bus.kind);
   const Duration apart = frame_time(bus.min_frame_bits.value_or(bits_apart(given, use)), fastest_line_rate(robot, bus));
@@ -232,7 +232,7 @@ std::vector<DriverSource::Counts> add_sources(const Robot& robot, BusId id, cons
   bus.sources.emplace();
   for (const DriverSource& source : driver.sources) {
     if (!can_interrupt(source, type, use, mover)) continue;
-    bus.sources->push_back(source_of(robot, id, use, driver, source));
+    bus.sources->push_back(served_interrupt(robot, id, use, driver, source));
     counts.push_back(source.counts);
   }
   const bool has_dma = mover == Mover::dma && robot.board->cpu_hz > 0 && !is_idle(type, use);
