@@ -30,7 +30,7 @@ const Case kCases[] = {
     {"wide_flush", "300ms", nullptr, nullptr, nullptr, 0},
     {"wide_values", "100ms", nullptr, nullptr, nullptr, 0},
     {"many_releases", "300ms", "every_30ms", "every_30ms", "decide", 2},
-    {"two_frames", "600ms", "imu", "head", "decide", 4, {"--phases", "8", "--seed", "1"}},
+    {"two_frames", "600ms", "imu", "head", "decide", 4.25, {"--phases", "8", "--seed", "1"}},
     {"two_sbus_frames", "600ms", nullptr, nullptr, nullptr, 0},
     {"idle_line", "600ms", "remote", "remote", "acquire", 1.25},
     {"bring_up", "300ms", nullptr, nullptr, nullptr, 0},
