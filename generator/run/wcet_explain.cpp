@@ -14,19 +14,30 @@ using wcet::Cycles;
 constexpr std::size_t kMostLines = 20;
 
 struct Way {
+  std::string title;
   Cycles cycles;
   const std::vector<wcet::PathStep>& path;
 };
 
-std::optional<Way> way_named(const TimedRobot& timed, const std::string& name) {
+/// Of a stage or a routine. Where faults make it longer, the way without them follows, which the analysis counts.
+template <class Timed>
+std::vector<Way> ways_of(const Timed& timed) {
+  std::vector<Way> ways = {{"on the longest way", timed.cycles, timed.path}};
+  if (timed.without_faults && *timed.without_faults < timed.cycles)
+    ways.push_back({"on the longest way without faults", *timed.without_faults, timed.path_without_faults});
+  return ways;
+}
+
+/// None: there is no such row.
+std::vector<Way> ways_named(const TimedRobot& timed, const std::string& name) {
   for (const Stage stage : stages_of(timed)) {
     const auto* bracket = name_of(timed, stage) == name ? bracket_of(timed, stage) : nullptr;
-    if (bracket != nullptr) return Way{bracket->cycles, bracket->path};
+    if (bracket != nullptr) return ways_of(*bracket);
   }
   for (const wcet::RoutineTime& routine : timed.times.routines) {
-    if (name_of(timed, routine) == name) return Way{routine.cycles, routine.path};
+    if (name_of(timed, routine) == name) return ways_of(routine);
   }
-  return std::nullopt;
+  return {};
 }
 
 /// A line of code and the function that it is in.
@@ -77,10 +88,12 @@ std::string shares_text(const Way& way, const TimedRobot& timed) {
 }  // namespace
 
 std::optional<std::string> explain_longest_way(const TimedRobot& timed, const std::string& name) {
-  const auto way = way_named(timed, name);
-  if (!way) return std::nullopt;
-  return fmt::format("{}: {} cycles on the longest way\n\n{}\nby line\n{}", name, way->cycles, pieces_text(*way, timed),
-                     way->cycles > 0 ? shares_text(*way, timed) : "");
+  std::string text;
+  for (const Way& way : ways_named(timed, name)) {
+    text += fmt::format("{}{}: {} cycles {}\n\n{}\nby line\n{}", text.empty() ? "" : "\n", name, way.cycles, way.title,
+                        pieces_text(way, timed), way.cycles > 0 ? shares_text(way, timed) : "");
+  }
+  return text.empty() ? std::nullopt : std::optional(text);
 }
 
 }  // namespace finemote::gen

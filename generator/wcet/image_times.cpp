@@ -60,11 +60,16 @@ class Timing {
     const std::string doubt =
         path ? check_certificate(walked.graph, path->potentials, path->bound) : "no way leads out";
     if (!doubt.empty()) return add(TimeGap{vector.entry, name_of(prepared_.program().at(vector.entry)), doubt});
-    RoutineTime routine{
-        vector.exception, name_of(prepared_.program().at(vector.entry)), path->bound, {}, {}, {}, {}, {}, {}};
-    routine.path = steps_of(walked.graph, *path, path->bound);
+    RoutineTime routine;
+    routine.exception = vector.exception;
+    routine.name = name_of(prepared_.program().at(vector.entry));
+    routine.cycles = path->bound;
+    routine.path = steps_of(walked.graph, *path);
     const UnrolledGraph undisturbed = without(walked.graph, prepared_.marks().faults);
-    routine.without_faults = proven_bound(undisturbed);
+    if (const auto short_path = proven_path(undisturbed)) {
+      routine.without_faults = short_path->bound;
+      routine.path_without_faults = steps_of(undisturbed, *short_path);
+    }
     add_brackets(walked, undisturbed, routine);
     EventTimes events = times_by_event(prepared_, vector.entry, undisturbed);
     routine.by_cause = std::move(events.by_cause);
@@ -81,9 +86,16 @@ class Timing {
     for (const std::uint32_t mark : begun_in(walked.graph)) {
       const auto path = way_behind(mark, walked.graph);
       if (!path) continue;
-      const auto short_path = way_behind(mark, undisturbed);
-      routine.brackets.push_back({mark, path->bound, short_path ? std::optional(short_path->bound) : std::nullopt,
-                                  steps_of(walked.graph, *path, path->bound), loops_on(walked, path->potentials)});
+      BracketTime bracket;
+      bracket.mark = mark;
+      bracket.cycles = path->bound;
+      bracket.path = steps_of(walked.graph, *path);
+      bracket.loops = loops_on(walked, path->potentials);
+      if (const auto short_path = way_behind(mark, undisturbed)) {
+        bracket.without_faults = short_path->bound;
+        bracket.path_without_faults = steps_of(undisturbed, *short_path);
+      }
+      routine.brackets.push_back(std::move(bracket));
     }
   }
 
@@ -115,11 +127,11 @@ class Timing {
     return are_there;
   }
 
-  static std::vector<PathStep> steps_of(const UnrolledGraph& graph, const LongestPath& path, Cycles end) {
+  static std::vector<PathStep> steps_of(const UnrolledGraph& graph, const LongestPath& path) {
     std::vector<PathStep> steps;
     for (std::size_t i = 0; i < path.nodes.size(); ++i) {
       const UnrolledNode& node = graph.nodes[path.nodes[i]];
-      const Cycles next = i + 1 < path.nodes.size() ? path.potentials[path.nodes[i + 1]] : end;
+      const Cycles next = i + 1 < path.nodes.size() ? path.potentials[path.nodes[i + 1]] : path.bound;
       steps.push_back({node.block, name_of(node.function), next - path.potentials[path.nodes[i]]});
     }
     return steps;

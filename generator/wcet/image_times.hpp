@@ -36,7 +36,8 @@ struct BracketTime {
   Cycles cycles = 0;
   std::optional<Cycles> without_faults;  ///< on ways that no fault leads to; none: there is no such way
   std::vector<PathStep> path;
-  std::vector<LoopTime> loops;  ///< that it may run through
+  std::vector<PathStep> path_without_faults;  ///< as long as `without_faults` says
+  std::vector<LoopTime> loops;                ///< that it may run through
 };
 
 struct RoutineTime {
@@ -44,7 +45,7 @@ struct RoutineTime {
   std::string name;
   Cycles cycles = 0;                     ///< from its first instruction to its last, brackets included
   std::optional<Cycles> without_faults;  ///< as of a bracket
-  std::vector<PathStep> path;
+  std::vector<PathStep> path, path_without_faults;
   std::vector<BracketTime> brackets;
   CauseTimes by_cause;           ///< without faults: of a routine of buses
   std::vector<Cycles> requests;  ///< of them: those that hand over one frame, two, ...; empty: not told apart
