@@ -31,11 +31,7 @@ std::int16_t word_at(const std::uint8_t* bytes) { return static_cast<std::int16_
 }  // namespace
 
 void Dr16::update() {
-  std::size_t size = Uart::kChunk;
-  for (std::size_t left = uart_->full_reads(Uart::kChunk) + 1; size == Uart::kChunk && left != 0; --left) {
-    size = uart_->read(recent_.room(), Uart::kChunk);
-    take(size);
-  }
+  uart_->read_all(recent_.room(), Uart::kChunk, [this](std::size_t size) { take(size); });
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
 }
 

@@ -112,11 +112,7 @@ void FinsRovHost::begin_message() {
 
 void FinsRovHost::collect(Uart& uart) {
   std::uint8_t bytes[Uart::kChunk];
-  std::size_t read = sizeof bytes;
-  for (std::size_t left = uart.full_reads(sizeof bytes) + 1; read == sizeof bytes && left != 0; --left) {
-    read = uart.read(bytes, sizeof bytes);
-    append(bytes, read);
-  }
+  uart.read_all(bytes, sizeof bytes, [&](std::size_t size) { append(bytes, size); });
   if (size_ == 0 || !uart.idle()) return;
   const bool is_disturbed = uart.counters().errors != line_errors_;
   line_errors_ = uart.counters().errors;

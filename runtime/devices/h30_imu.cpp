@@ -51,11 +51,7 @@ bool angles_at(const std::uint8_t* bytes, ImuState& out) {
 
 void H30Imu::update() {
   const std::uint32_t before = frames_;
-  std::size_t size = Uart::kChunk;
-  for (std::size_t left = uart_->full_reads(Uart::kChunk) + 1; size == Uart::kChunk && left != 0; --left) {
-    size = uart_->read(recent_.room(), Uart::kChunk);
-    recent_.keep(look(size), size);
-  }
+  uart_->read_all(recent_.room(), Uart::kChunk, [this](std::size_t size) { recent_.keep(look(size), size); });
   if (frames_ != before) turn_state();
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
 }

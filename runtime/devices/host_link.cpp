@@ -80,11 +80,7 @@ struct HostLink::Found {
 };
 
 void HostLink::receive() {
-  std::size_t size = Uart::kChunk;
-  for (std::size_t left = uart_.full_reads(Uart::kChunk) + 1; size == Uart::kChunk && left != 0; --left) {
-    size = uart_.read(recent_.room(), Uart::kChunk);
-    recent_.keep(look(size), size);
-  }
+  uart_.read_all(recent_.room(), Uart::kChunk, [this](std::size_t size) { recent_.keep(look(size), size); });
 }
 
 /// Takes what the frames in what is kept and `size` bytes more say. Returns the first byte that may still begin one.

@@ -27,12 +27,10 @@ RemoteSwitch switch_of(std::uint16_t channel) {
 
 void Sbus::update() {
   const std::uint32_t before = gaps();
-  std::size_t size = Uart::kChunk;
-  for (std::size_t left = uart_->full_reads(Uart::kChunk) + 1; size == Uart::kChunk && left != 0; --left) {
-    size = uart_->read(recent_.room(), Uart::kChunk);
+  uart_->read_all(recent_.room(), Uart::kChunk, [&](std::size_t size) {
     if (gaps() != before) recent_.drop();  // what is kept lies before the gap
     look(size);
-  }
+  });
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
 }
 

@@ -154,20 +154,18 @@ TEST_CASE_METHOD(Fixture, "an update gets no more bytes than its line allows it,
   std::uint8_t other_ring[256];
   Uart limited{ports::usart1, 115200, other_ring, UartFormat::k8N1, {16, 20}};
   limited.start();
-  const auto update = [&] {
-    Bytes all;
-    for (std::size_t size = 16; size == 16;) {
-      Bytes bytes(16);
-      size = limited.read(bytes.data(), 16);
+  const auto update = [&](std::size_t capacity) {
+    Bytes all, bytes(capacity);
+    limited.read_all(bytes.data(), capacity, [&](std::size_t size) {
       all.insert(all.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
-    }
+    });
     return all;
   };
   line.feed(now(), count(50));
   host::advance(10 * kMillisecond);
-  CHECK(update() == count(20));
+  CHECK(update(16) == count(20));
   CHECK_FALSE(limited.idle());
-  CHECK(update() == count(20, 20));
-  CHECK(update() == count(10, 40));
+  CHECK(update(20) == count(20, 20));  // its second read brings none
+  CHECK(update(16) == count(10, 40));
   CHECK(limited.idle());
 }

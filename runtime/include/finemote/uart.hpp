@@ -50,6 +50,18 @@ class Uart {
   /// and the line may raise its interrupts anew. Context: the device's bucket.
   std::size_t read(std::uint8_t* out, std::size_t capacity);
 
+  /// Calls read() as often as an update() has to, and `take(size)` behind each: its bytes, which may be none, lie at
+  /// `to` until the next one. Tools find a bound of this loop. Context: the device's bucket.
+  /// @param to  room for `capacity` bytes
+  template <class Take>
+  [[gnu::always_inline]] void read_all(std::uint8_t* to, std::size_t capacity, Take take) {
+    for (std::size_t left = full_reads(capacity) + 1; left != 0; --left) {
+      const std::size_t size = read(to, capacity);
+      take(size);
+      if (size < capacity) return;
+    }
+  }
+
   /// Most calls of read() in one update() that return all they may, where each may return at least `capacity` bytes.
   /// Context: any.
   [[nodiscard]] std::size_t full_reads(std::size_t capacity) const { return limits_.bytes / capacity; }
