@@ -1,6 +1,7 @@
 #include "finemote/devices/bmi088.hpp"
 
 #include "finemote/control/pid.hpp"
+#include "little_endian.hpp"
 
 namespace finemote {
 
@@ -50,8 +51,6 @@ constexpr float kGyroScale = 2000 * 0.01745329252F / 32768;  ///< rad/s
 
 /// What a read of the accelerometer brings is at most that old: 800 Hz, 5 % slow (data sheet 1.2, table 3).
 constexpr Duration kAccelAge = 1'313 * kMicrosecond;
-
-std::int16_t word_at(const std::uint8_t* bytes) { return static_cast<std::int16_t>(bytes[0] | bytes[1] << 8); }
 
 }  // namespace
 
@@ -119,8 +118,7 @@ void Bmi088::start_reads() {
 
 void Bmi088::take_sample() {
   if (!started_) return;
-  const std::uint8_t* clock = accel_in_ + kAccelTimeAt;
-  const std::uint32_t chip_time = clock[0] | std::uint32_t{clock[1]} << 8 | std::uint32_t{clock[2]} << 16;
+  const std::uint32_t chip_time = uint24_at(accel_in_ + kAccelTimeAt);
   const bool good = accel_->done() && gyro_->done() && chip_time != chip_time_ && gyro_in_[kGyroIdAt] == kGyroId;
   chip_time_ = chip_time;
   const Time ended = oldest(accel_->ended(), gyro_->ended());
@@ -129,8 +127,8 @@ void Bmi088::take_sample() {
 
   failures_ = 0;
   for (unsigned i = 0; i < 3; ++i) {
-    state.acceleration[i] = static_cast<float>(word_at(accel_in_ + kAccelDataAt + 2 * i)) * kAccelScale;
-    state.rate[i] = static_cast<float>(word_at(gyro_in_ + kGyroDataAt + 2 * i)) * kGyroScale;
+    state.acceleration[i] = static_cast<float>(int16_at(accel_in_ + kAccelDataAt + 2 * i)) * kAccelScale;
+    state.rate[i] = static_cast<float>(int16_at(gyro_in_ + kGyroDataAt + 2 * i)) * kGyroScale;
   }
   turn(mount_, state.acceleration);
   turn(mount_, state.rate);

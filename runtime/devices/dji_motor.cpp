@@ -22,7 +22,7 @@ constexpr std::int32_t nearest_turn(std::int32_t step) {
   return ((step + kBelow) & (kTurn - 1)) - kBelow;
 }
 
-std::int16_t word_at(const CanFrame& frame, unsigned at) {
+std::int16_t big_endian_at(const CanFrame& frame, unsigned at) {
   return static_cast<std::int16_t>(frame.data[at] << 8 | frame.data[at + 1]);
 }
 
@@ -40,12 +40,13 @@ void DjiMotor::update() {
 
 void DjiMotor::take(const CanSlot::Received& received) {
   const CanFrame& frame = received.frame;
-  const std::int32_t angle = static_cast<std::uint16_t>(word_at(frame, 0));
-  const auto rpm = static_cast<float>(word_at(frame, 2));
+  const std::int32_t angle = static_cast<std::uint16_t>(big_endian_at(frame, 0));
+  const auto rpm = static_cast<float>(big_endian_at(frame, 2));
   if (frame.size != 8 || angle >= kTurn || rpm > kMaxRpm || rpm < -kMaxRpm) return;
 
   count_turns(angle, rpm, received.at);
-  const float current = static_cast<float>(word_at(frame, 4)) * kind_->full_current / static_cast<float>(kind_->full);
+  const float current =
+      static_cast<float>(big_endian_at(frame, 4)) * kind_->full_current / static_cast<float>(kind_->full);
   state.angle = static_cast<float>(position_) * kRadPerStep / gear_;
   state.speed = rpm * kRadPerSecond / gear_;
   state.torque = current * kind_->torque_per_ampere * gear_;

@@ -1,18 +1,13 @@
 #include "finemote/devices/dr16.hpp"
 
+#include "little_endian.hpp"
+
 namespace finemote {
 
 namespace {
 
 constexpr int kLowest = 364, kCentre = 1024, kHighest = 1684;
 constexpr float kScale = 1.0F / 660;
-
-/// 11 bits, least significant first, from bit `at` on.
-int channel_at(const std::uint8_t* frame, unsigned at) {
-  const std::uint8_t* byte = frame + at / 8;
-  const std::uint32_t bits = byte[0] | std::uint32_t{byte[1]} << 8 | std::uint32_t{byte[2]} << 16;
-  return static_cast<int>(bits >> at % 8 & 0x7FFU);
-}
 
 bool scaled(int channel, float& out) {
   out = static_cast<float>(channel - kCentre) * kScale;
@@ -25,8 +20,6 @@ bool switch_of(unsigned bits, RemoteSwitch& out) {
   out = kMeaning[bits & 3U];
   return out != RemoteSwitch::kUnknown;
 }
-
-std::int16_t word_at(const std::uint8_t* bytes) { return static_cast<std::int16_t>(bytes[0] | bytes[1] << 8); }
 
 }  // namespace
 
@@ -64,18 +57,18 @@ void Dr16::end_message(std::size_t end, std::size_t behind, bool has_size) {
 }
 
 bool Dr16::decode(const std::uint8_t* frame, RemoteState& out) const {
-  bool good = scaled(channel_at(frame, 0), out.right_x);
-  good = scaled(channel_at(frame, 11), out.right_y) && good;
-  good = scaled(channel_at(frame, 22), out.left_x) && good;
-  good = scaled(channel_at(frame, 33), out.left_y) && good;
+  bool good = scaled(eleven_bits_at(frame, 0), out.right_x);
+  good = scaled(eleven_bits_at(frame, 11), out.right_y) && good;
+  good = scaled(eleven_bits_at(frame, 22), out.left_x) && good;
+  good = scaled(eleven_bits_at(frame, 33), out.left_y) && good;
   good = switch_of(frame[5] >> 6U, out.left_switch) && good;
   good = switch_of(frame[5] >> 4U, out.right_switch) && good;
-  for (int i = 0; i < 3; ++i) out.mouse[i] = word_at(frame + 6 + 2 * i);
+  for (int i = 0; i < 3; ++i) out.mouse[i] = int16_at(frame + 6 + 2 * i);
   out.mouse_left = frame[12] != 0;
   out.mouse_right = frame[13] != 0;
   good = good && frame[12] <= 1 && frame[13] <= 1;
-  out.keys = static_cast<std::uint16_t>(word_at(frame + 14));
-  const int wheel = word_at(frame + 16) & 0x7FF;
+  out.keys = uint16_at(frame + 14);
+  const int wheel = uint16_at(frame + 16) & 0x7FF;
   // Receivers without a wheel send 0 there.
   if (wheel != 0) good = scaled(wheel, out.wheel) && good;
   return good;

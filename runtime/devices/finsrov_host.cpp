@@ -1,6 +1,7 @@
 #include "finemote/devices/finsrov_host.hpp"
 
 #include "finemote/four_bytes.hpp"
+#include "little_endian.hpp"
 
 namespace finemote {
 
@@ -185,8 +186,8 @@ bool FinsRovHost::take_number() {
 }
 
 void FinsRovHost::keep(std::int32_t number) {
-  text_[kept_++] = static_cast<std::uint8_t>(number);
-  text_[kept_++] = static_cast<std::uint8_t>(number >> 8);
+  put_uint16(static_cast<std::uint16_t>(number), text_ + kept_);
+  kept_ = static_cast<std::uint8_t>(kept_ + sizeof(std::uint16_t));
 }
 
 bool FinsRovHost::next(FinsRovOrder& order) {
@@ -195,9 +196,7 @@ bool FinsRovHost::next(FinsRovOrder& order) {
   const Word& word = kWords[*kept++];
   order.verb = word.verb;
   const std::size_t numbers = word.numbers < kMostNumbers ? word.numbers : kMostNumbers;
-  for (std::size_t i = 0; i < numbers; ++i, kept += 2) {
-    order.value[i] = static_cast<std::int16_t>(kept[0] | kept[1] << 8);
-  }
+  for (std::size_t i = 0; i < numbers; ++i, kept += 2) order.value[i] = int16_at(kept);
   at_ = static_cast<std::uint8_t>(kept - text_);
   return true;
 }

@@ -1,6 +1,7 @@
 #include "finemote/devices/h30_imu.hpp"
 
 #include "frame_heads.hpp"
+#include "little_endian.hpp"
 
 namespace finemote {
 
@@ -20,11 +21,6 @@ constexpr float kMicroDegree = 1.745329252e-8F;  ///< rad
 constexpr std::int32_t kMaxAcceleration = 160000000;
 constexpr std::int32_t kMaxRate = 2000000000;
 constexpr std::int32_t kMaxAngle = 180000000, kMaxPitch = 90000000;
-
-std::int32_t int32_at(const std::uint8_t* bytes) {
-  return static_cast<std::int32_t>(std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8 |
-                                   std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24);
-}
 
 bool within(std::int32_t value, std::int32_t limit) { return value >= -limit && value <= limit; }
 

@@ -3,6 +3,7 @@
 #include "finemote/least.hpp"
 #include "finemote/loop_bound.hpp"
 #include "frame_heads.hpp"
+#include "little_endian.hpp"
 
 namespace finemote {
 
@@ -26,11 +27,6 @@ void copy(const void* from, std::uint8_t* to, std::size_t size) {
   }
 }
 
-std::uint32_t layout_of(const std::uint8_t* frame) {
-  const std::uint8_t* const bytes = frame + kLayoutAt;
-  return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
-}
-
 /// A sum goes on with a byte. x is what the division by the polynomial leaves of the highest eight bits: x^12 + x^5 + 1
 /// times them and their upper half.
 [[gnu::always_inline]] inline std::uint32_t with_byte(std::uint32_t sum, std::uint8_t byte) {
@@ -42,7 +38,7 @@ std::uint32_t layout_of(const std::uint8_t* frame) {
 /// Whether the sum behind `payload` bytes is right. It says so of the bytes from the kind on.
 bool is_intact(const std::uint8_t* frame, std::size_t payload) {
   const std::uint8_t* const end = frame + link::kHeader + payload;
-  const unsigned sent = end[0] | static_cast<unsigned>(end[1]) << 8;
+  const std::uint16_t sent = uint16_at(end);
   return link::crc(frame + kHeads, link::kHeader - kHeads + payload) == sent;
 }
 
@@ -143,7 +139,7 @@ std::size_t HostLink::find(const std::uint8_t* begin, std::size_t count, Found& 
 
 bool HostLink::is_ours(const std::uint8_t* frame) const {
   const unsigned kind = frame[kKindAt] >> 4U, block = frame[kKindAt] % link::kMaxBlocks;
-  return layout_of(frame) == layout_.number && kind == link::kCommands && block < layout_.down_blocks &&
+  return four_bytes(frame + kLayoutAt) == layout_.number && kind == link::kCommands && block < layout_.down_blocks &&
          frame[kSizeAt] == sizes_.of[block];
 }
 
@@ -197,12 +193,10 @@ void HostLink::send() {
   frame[1] = link::kSecond;
   frame[kKindAt] = static_cast<std::uint8_t>(link::kStates << 4U | block_);
   frame[kSizeAt] = static_cast<std::uint8_t>(payload);
-  copy(&layout_.number, frame + kLayoutAt, sizeof layout_.number);
+  put_uint32(layout_.number, frame + kLayoutAt);
   frame[kSequenceAt] = sequence_;
   const std::size_t end = link::kHeader + payload;
-  const std::uint16_t check = link::crc(frame + kHeads, end - kHeads);
-  frame[end] = static_cast<std::uint8_t>(check & 0xFFU);
-  frame[end + 1] = static_cast<std::uint8_t>(check >> 8U);
+  put_uint16(link::crc(frame + kHeads, end - kHeads), frame + end);
   if (!uart_.write(frame, end + link::kCrc)) return;  // the last one is still under way: at the next update
   ++sequence_;
   ++state.sent;

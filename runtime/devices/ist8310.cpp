@@ -1,5 +1,7 @@
 #include "finemote/devices/ist8310.hpp"
 
+#include "little_endian.hpp"
+
 namespace finemote {
 
 namespace {
@@ -64,7 +66,7 @@ void Ist8310::take_field() {
   int raw[3];
   bool good = false;
   for (int i = 0; i < 3; ++i) {
-    raw[i] = static_cast<std::int16_t>(read_[2 * i] | read_[2 * i + 1] << 8);
+    raw[i] = int16_at(read_ + 2 * i);
     if (raw[i] > kLargest[i] || raw[i] < -kLargest[i]) return bad_value();
     good = good || raw[i] != 0;  // all zero: no measurement yet, or the part was reset
   }

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "finemote/control/pid.hpp"
+#include "little_endian.hpp"
 
 namespace finemote {
 
@@ -67,12 +68,7 @@ void Sbus::look(std::size_t size) {
   recent_.keep(begin + at, size);
 }
 
-std::uint16_t Sbus::channel(unsigned number) const {
-  const unsigned at = 8 + 11 * (number - 1);
-  const std::uint8_t* byte = last_ + at / 8;
-  const std::uint32_t bits = byte[0] | std::uint32_t{byte[1]} << 8 | std::uint32_t{byte[2]} << 16;
-  return static_cast<std::uint16_t>(bits >> at % 8 & 0x7FFU);
-}
+std::uint16_t Sbus::channel(unsigned number) const { return eleven_bits_at(last_, 8 + 11 * (number - 1)); }
 
 void Sbus::decode(const std::uint8_t* frame, std::size_t behind) {
   std::memcpy(last_, frame, sizeof last_);
