@@ -1,6 +1,6 @@
 #include "finemote/devices/bmi088.hpp"
 
-#include "finemote/control/pid.hpp"
+#include "finemote/control/numbers.hpp"
 #include "little_endian.hpp"
 
 namespace finemote {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "finemote/control/pid.hpp"
+#include "finemote/control/numbers.hpp"
 
 namespace finemote {
 

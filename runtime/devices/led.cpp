@@ -1,7 +1,5 @@
 #include "finemote/devices/led.hpp"
 
-#include "finemote/control/pid.hpp"
-
 namespace finemote {
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "finemote/control/pid.hpp"
+#include "finemote/control/numbers.hpp"
 #include "little_endian.hpp"
 
 namespace finemote {

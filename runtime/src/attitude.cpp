@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "finemote/control/arctangent.hpp"
-#include "finemote/control/pid.hpp"
+#include "finemote/control/numbers.hpp"
 #include "finemote/control/sine.hpp"
 
 namespace finemote {

@@ -1,6 +1,8 @@
+#include "finemote/control/pid.hpp"
+
 #include <cmath>
 
-#include "finemote/control/pid.hpp"
+#include "finemote/control/numbers.hpp"
 
 namespace finemote {
 
@@ -11,14 +13,6 @@ float Pid::step(const PidGains& gains, float error, float rate, float dt) {
   const bool further_out = (wanted > gains.limit && growth > 0) || (wanted < -gains.limit && growth < 0);
   if (!further_out) integral_ = clamp(integral_ + growth, -gains.limit, gains.limit);
   return clamp(wanted, -gains.limit, gains.limit);
-}
-
-float wrap_angle(float angle) {
-  constexpr float kPi = 3.14159265359F, kTurn = 2 * kPi, kLargest = 1e6F;
-  if (!(angle <= kLargest && angle >= -kLargest)) return 0;
-  const float turns = angle / kTurn;
-  const auto whole = static_cast<std::int32_t>(turns + (turns < 0 ? -0.5F : 0.5F));
-  return clamp(angle - static_cast<float>(whole) * kTurn, -kPi, kPi);
 }
 
 }  // namespace finemote

@@ -1,6 +1,6 @@
 #include "finemote/control/sine.hpp"
 
-#include "finemote/control/pid.hpp"
+#include "finemote/control/numbers.hpp"
 
 namespace finemote {
 namespace {
