@@ -38,7 +38,8 @@ PAGES = [
     ("latches", "Latches", [FINEMOTE + "latch.hpp", FINEMOTE + "crossing.hpp"]),
     ("faults", "Faults and counters", [FINEMOTE + "fault.hpp", FINEMOTE + "bus_counters.hpp"]),
     ("helpers", "Helpers", [FINEMOTE + name for name in (
-        "recent_bytes.hpp", "geometry.hpp", "control/pid.hpp", "control/attitude.hpp", "control/rotation.hpp")]),
+        "recent_bytes.hpp", "geometry.hpp", "control/numbers.hpp", "control/step_time.hpp", "control/pid.hpp", "control/attitude.hpp",
+        "control/rotation.hpp")]),
     ("bench", "The bench", ["bench/finemote/bench/bench.hpp", "bench/finemote/bench/checks.hpp"] + [
         WIRES + name for name in ("uart_wire.hpp", "i2c_wire.hpp", "spi_wire.hpp", "can_wire.hpp", "pins.hpp",
                                   "i2c_parts.hpp", "h30_part.hpp")]),

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "finemote/control/numbers.hpp"
 #include "text.hpp"
 
 namespace finemote {
@@ -13,7 +14,6 @@ constexpr float kDegree = 0.01745329252F;  ///< rad
 constexpr float kUpDownStep = 0.01F;       ///< m
 constexpr float kHoldDepth = 0.30F;        ///< least target depth when switched on [m]
 constexpr float kDeepest = 300;            ///< m, what 30 bar allow
-constexpr float kLongestStep = 0.1F;       ///< s; a longer gap between updates is not integrated
 constexpr float kShortestStep = 0.002F;  ///< s: samples of two sensors that lie closer together are one depth, not two
 constexpr float kRateFilter = 0.3F;      ///< share of a new sample in the vertical speed
 constexpr Duration kReportEvery = 100 * kMillisecond;
@@ -97,7 +97,7 @@ void FinsRov::take_inputs(Time at) {
 /// because a sensor has come or gone.
 void FinsRov::take_depth(float depth, Time origin) {
   const float dt = seconds(origin - depth_at_);
-  const bool follows = depth_known_ && dt <= kLongestStep;
+  const bool follows = depth_known_ && dt <= StepTime::kLongest;
   if (follows && dt >= kShortestStep) depth_rate_ += kRateFilter * ((depth - depth_now_) / dt - depth_rate_);
   if (!follows) depth_rate_ = 0;
   depth_known_ = true;
@@ -219,9 +219,7 @@ void FinsRov::set_surface(Time at) {
 // control
 
 FinsRov::Wrench FinsRov::control(Time at) {
-  const float elapsed = seconds(at - stepped_);
-  const float dt = elapsed > kLongestStep ? 0 : elapsed;
-  stepped_ = at;
+  const float dt = step_.next(at);
   const Config& c = config_;
   const ImuState& imu = attitude_;
 

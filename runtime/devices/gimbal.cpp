@@ -1,10 +1,10 @@
 #include "finemote/devices/gimbal.hpp"
 
+#include "finemote/control/numbers.hpp"
+
 namespace finemote {
 
 namespace {
-
-constexpr float kLongestStep = 0.1F;  ///< s
 
 void command(const Port<Motor>& motor, const Stamp& from, bool drives, float torque) {
   motor.command.torque = drives ? torque : 0;
@@ -22,11 +22,7 @@ void Gimbal::update() {
 }
 
 void Gimbal::handle() {
-  const Time at = now();
-  const float elapsed = seconds(at - stepped_);
-  const float dt = elapsed <= kLongestStep ? elapsed : 0;
-  stepped_ = at;
-
+  const float dt = step_.next(now());
   const bool drives = state.valid && remote_.state.right_switch != RemoteSwitch::kDown;
   if (!drives || !driving_) {
     yaw_aim_ = imu_.state.yaw;

@@ -2,12 +2,6 @@
 
 namespace finemote {
 
-namespace {
-
-constexpr float kLongestStep = 0.1F;  ///< s
-
-}  // namespace
-
 void MecanumChassis::wheel_speeds(const Motion& motion, float (&speeds)[kWheels]) const {
   for (unsigned n = 0; n < kWheels; ++n) {
     const RollingWheel& wheel = rolling_[n];
@@ -44,9 +38,7 @@ void MecanumChassis::handle() {
   const Time at = now();
   const RemoteState& remote = remote_.state;
   const bool drives = state.valid && remote.left_switch != RemoteSwitch::kDown;
-  const float elapsed = seconds(at - stepped_);
-  const float dt = elapsed <= kLongestStep ? elapsed : 0;
-  stepped_ = at;
+  const float dt = step_.next(at);
 
   float wanted[kWheels];
   wheel_speeds(

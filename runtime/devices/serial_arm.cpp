@@ -1,9 +1,10 @@
 #include "finemote/devices/serial_arm.hpp"
 
+#include "finemote/control/numbers.hpp"
+
 namespace finemote {
 
 namespace {
-constexpr float kLongestStep = 0.1F;  ///< s
 constexpr float kGravity = 9.80665F;  ///< m/s^2
 }  // namespace
 
@@ -65,11 +66,7 @@ float SerialArm::jog(unsigned joint) const {
 }
 
 void SerialArm::handle() {
-  const Time at = now();
-  const float elapsed = seconds(at - stepped_);
-  const float dt = elapsed <= kLongestStep ? elapsed : 0;
-  stepped_ = at;
-
+  const float dt = step_.next(now());
   const bool drives = state.valid && remote_.state.right_switch != RemoteSwitch::kDown;
   for (unsigned n = 0; n < count(); ++n) {
     const MotorState& joint = joints_[n].state;

@@ -1,7 +1,6 @@
 // PID: limits, anti-windup, independence of the step, and values that are none.
 #include "finemote/control/pid.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include "catch.hpp"
@@ -45,16 +44,4 @@ TEST_CASE("errors that are no numbers give 0 and change nothing") {
   CHECK(pid.step({1, 1, 0, 10}, std::numeric_limits<float>::quiet_NaN(), 0, 0.01F) == 0);
   CHECK(pid.step({1, 1, 0, 10}, std::numeric_limits<float>::infinity(), 0, 0.01F) == 0);
   CHECK(pid.integral() == before);
-}
-
-TEST_CASE("angles wrap to half a turn") {
-  CHECK(wrap_angle(3.5F) == Approx(3.5 - 6.2831853).epsilon(1e-5));
-  CHECK(wrap_angle(-3.5F) == Approx(6.2831853 - 3.5).epsilon(1e-5));
-  CHECK(wrap_angle(100.0F) == Approx(100 - 16 * 6.2831853).margin(1e-4));
-  CHECK(std::fabs(wrap_angle(9e5F)) <= 3.1416F);
-  CHECK(wrap_angle(1e30F) == 0);
-  CHECK(seconds(5 * kMillisecond) == Approx(0.005));
-  CHECK(seconds(-1) == 0);
-  CHECK(seconds(60 * kSecond) == 2);
-  CHECK(wrap_angle(std::numeric_limits<float>::infinity()) == 0);
 }

@@ -5,6 +5,7 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/control/pid.hpp"
+#include "finemote/control/step_time.hpp"
 #include "finemote/devices/finsrov_host.hpp"
 #include "finemote/interfaces/imu.hpp"
 #include "finemote/interfaces/pressure.hpp"
@@ -104,7 +105,7 @@ class FinsRov {
   float test_[kThrusters]{};  ///< efforts of the TES command
   Time ordered_ = 0;          ///< the last motion or test order
   Time depth_at_ = 0;         ///< origin of depth_now_
-  Time stepped_ = 0;          ///< last control step
+  StepTime step_;
   Time reported_ = 0;
   Pid depth_loop_, roll_loop_, pitch_loop_, yaw_loop_;
 };

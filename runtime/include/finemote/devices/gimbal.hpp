@@ -3,6 +3,7 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/control/pid.hpp"
+#include "finemote/control/step_time.hpp"
 #include "finemote/geometry.hpp"
 #include "finemote/interfaces/imu.hpp"
 #include "finemote/interfaces/motor.hpp"
@@ -63,7 +64,7 @@ class Gimbal {
   bool driving_ = false;
   float yaw_aim_ = 0, pitch_aim_ = 0;
   Pid yaw_rate_, pitch_rate_;
-  Time stepped_ = 0;
+  StepTime step_;
 };
 
 }  // namespace finemote

@@ -3,6 +3,7 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/control/pid.hpp"
+#include "finemote/control/step_time.hpp"
 #include "finemote/geometry.hpp"
 #include "finemote/interfaces/motor.hpp"
 #include "finemote/interfaces/remote.hpp"
@@ -65,7 +66,7 @@ class MecanumChassis {
   const Port<Remote> remote_;
   Motion motion_;
   Pid loops_[kWheels];
-  Time stepped_ = 0;
+  StepTime step_;
 };
 
 }  // namespace finemote

@@ -3,6 +3,7 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/control/pid.hpp"
+#include "finemote/control/step_time.hpp"
 #include "finemote/geometry.hpp"
 #include "finemote/interfaces/motor.hpp"
 #include "finemote/interfaces/remote.hpp"
@@ -61,7 +62,7 @@ class SerialArm {
   float aims_[kMaxJoints]{};
   float weights_[kMaxJoints]{};
   Pid loops_[kMaxJoints];
-  Time stepped_ = 0;
+  StepTime step_;
 };
 
 }  // namespace finemote
