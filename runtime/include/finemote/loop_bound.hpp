@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "finemote/assembler.hpp"
+
 namespace finemote {
 namespace detail {
 
@@ -15,10 +17,7 @@ constexpr std::uint32_t kBegins = 0x8000'0000;
 /// Records the address of this place and `word` in section `.debug_finemote_loops`, two words each.
 template <std::uint32_t word>
 [[gnu::always_inline]] inline void tell_loop() {
-#if defined(__arm__) && defined(__OPTIMIZE__)
-  asm volatile inline(
-      "0: .pushsection .debug_finemote_loops,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection" ::"i"(word));
-#endif
+  FINEMOTE_OPTIMIZED_ASM("0:" FINEMOTE_FOR_TOOLS(".debug_finemote_loops", ".word 0b, %c0")::"i"(word));
 }
 
 }  // namespace detail
@@ -35,22 +34,16 @@ class LoopBound {
 
  public:
   [[gnu::always_inline]] explicit LoopBound(std::uint32_t line = __builtin_LINE()) : line_(line) {
-#if defined(__arm__) && defined(__OPTIMIZE__)
-    asm volatile inline(
-        "0: nop\n\t.pushsection .debug_finemote_mark_ids,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection" ::"i"(
-            detail::kBegins | line));
-#endif
+    FINEMOTE_OPTIMIZED_ASM(
+        "0: nop" FINEMOTE_FOR_TOOLS(".debug_finemote_mark_ids", ".word 0b, %c0")::"i"(detail::kBegins | line));
   }
   LoopBound(const LoopBound&) = delete;
   LoopBound& operator=(const LoopBound&) = delete;
 
   [[gnu::always_inline]] void pass() const {
-#if defined(__arm__) && defined(__OPTIMIZE__)
-    asm volatile inline(
-        "0: nop\n\t.pushsection .debug_finemote_loops,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection\n\t"
-        ".pushsection .debug_finemote_mark_ids,\"\",%%progbits\n\t.word 0b, %c1\n\t.popsection" ::"i"(passes),
-        "i"(line_));
-#endif
+    FINEMOTE_OPTIMIZED_ASM("0: nop" FINEMOTE_FOR_TOOLS(".debug_finemote_loops", ".word 0b, %c0")
+                               FINEMOTE_FOR_TOOLS(".debug_finemote_mark_ids", ".word 0b, %c1")::"i"(passes),
+                           "i"(line_));
   }
 
  private:
@@ -61,9 +54,7 @@ class LoopBound {
 /// read less. It costs no instruction.
 /// @code for (; left != 0; --left) { as_counted(left); ... } @endcode
 [[gnu::always_inline]] inline void as_counted([[maybe_unused]] std::size_t& left) {
-#if defined(__arm__) && defined(__OPTIMIZE__)
-  asm volatile inline("" : "+r"(left));
-#endif
+  FINEMOTE_OPTIMIZED_ASM("" : "+r"(left));
 }
 
 /// Whose interrupts make a loop turn once more.
@@ -90,14 +81,11 @@ class WaitBound {
  public:
   [[gnu::always_inline]] explicit WaitBound(std::uint32_t cycles, std::uint32_t line = __builtin_LINE())
       : cycles_(cycles), line_(line) {
-#if defined(__arm__) && defined(__OPTIMIZE__)
-    std::uint32_t kept;  // for a member would have to lie in memory
-    asm volatile inline(
-        "0: mov %0, %1\n\t.pushsection .debug_finemote_mark_ids,\"\",%%progbits\n\t.word 0b, %c2\n\t.popsection"
-        : "=r"(kept)
-        : "rj"(cycles), "i"(detail::kBegins | line));
+    [[maybe_unused]] std::uint32_t kept = cycles;  // for a member would have to lie in memory
+    FINEMOTE_OPTIMIZED_ASM("0: mov %0, %1" FINEMOTE_FOR_TOOLS(".debug_finemote_mark_ids", ".word 0b, %c2")
+                           : "=r"(kept)
+                           : "rj"(cycles), "i"(detail::kBegins | line));
     cycles_ = kept;
-#endif
   }
   WaitBound(const WaitBound&) = delete;
   WaitBound& operator=(const WaitBound&) = delete;
@@ -105,13 +93,10 @@ class WaitBound {
   [[nodiscard, gnu::always_inline]] std::uint32_t cycles() const { return cycles_; }
 
   [[gnu::always_inline]] void pass() const {
-#if defined(__arm__) && defined(__OPTIMIZE__)
-    asm volatile inline(
-        "0: nop\n\t.pushsection .debug_finemote_waits,\"\",%%progbits\n\t.word 0b\n\t.asciz \"%0\"\n\t.balign 8\n\t"
-        ".popsection\n\t.pushsection .debug_finemote_mark_ids,\"\",%%progbits\n\t.word 0b, %c1\n\t"
-        ".popsection" ::"r"(cycles_),
+    FINEMOTE_OPTIMIZED_ASM(
+        "0: nop" FINEMOTE_FOR_TOOLS(".debug_finemote_waits", ".word 0b\n\t.asciz \"%0\"\n\t.balign 8")
+            FINEMOTE_FOR_TOOLS(".debug_finemote_mark_ids", ".word 0b, %c1")::"r"(cycles_),
         "i"(line_));
-#endif
   }
 
  private:

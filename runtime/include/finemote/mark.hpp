@@ -4,16 +4,15 @@
 
 #include <cstdint>
 
+#include "finemote/assembler.hpp"
+
 namespace finemote {
 
 /// Records the address of this place and `number` in section `.debug_finemote`, two words each. Tools read it; it is no
 /// part of what is flashed. No access to memory is moved across it. On a computer it does nothing.
 template <std::uint32_t number>
 [[gnu::always_inline]] inline void mark() {
-#ifdef __arm__
-  asm volatile inline("0: .pushsection .debug_finemote,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection" ::"i"(number)
-                      : "memory");
-#endif
+  FINEMOTE_ASM("0:" FINEMOTE_FOR_TOOLS(".debug_finemote", ".word 0b, %c0")::"i"(number) : "memory");
 }
 
 /// Marks its scope: `number`, and one more at the end. Numbers are even.

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "finemote/assembler.hpp"
+
 namespace finemote {
 
 /// What raises an interrupt of a bus, as the sources of schemas/chips count them.
@@ -21,10 +23,7 @@ constexpr std::uint32_t kOnceForEach = 0x8000'0000;
 /// Records the address of this place and `word` in section `.debug_finemote_raised`, two words each.
 template <std::uint32_t word>
 [[gnu::always_inline]] inline void tell_raised() {
-#ifdef __arm__
-  asm volatile inline(
-      "0: .pushsection .debug_finemote_raised,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection" ::"i"(word));
-#endif
+  FINEMOTE_ASM("0:" FINEMOTE_FOR_TOOLS(".debug_finemote_raised", ".word 0b, %c0")::"i"(word));
 }
 
 }  // namespace detail
