@@ -110,6 +110,7 @@ void I2cBus::go_on() {
 void I2cBus::pick() {
   only_if_raised_by<Raised::request, Raised::end>();  // steps come while a unit is under way
   for (std::uint8_t i = safe_cursor_; i < count_; ++i) {
+    only_after_fault();
     if (slots_[i]->safe_size_.load() == 0) continue;
     safe_cursor_ = static_cast<std::uint8_t>(i + 1);
     return begin_unit(*slots_[i], true);
@@ -157,7 +158,10 @@ I2cMessage I2cBus::message(std::uint8_t mux) {
       mux_byte_ = slot.route_.channels;
       return {slot.route_.address, &mux_byte_, 1, nullptr, 0};
     case Phase::kTransfer:
-      if (safe_unit_) return {slot.address_, slot.safe_, slot.safe_size_.load(), nullptr, 0};
+      if (safe_unit_) {
+        only_after_fault();
+        return {slot.address_, slot.safe_, slot.safe_size_.load(), nullptr, 0};
+      }
       return {slot.address_, slot.write_, slot.write_size_, slot.read_, slot.read_size_};
     case Phase::kThen:
       break;
@@ -165,7 +169,8 @@ I2cMessage I2cBus::message(std::uint8_t mux) {
   return {slot.address_, slot.then_, slot.then_size_, nullptr, 0};
 }
 
-/// Address of the next other mux that may connect something; 0 when there is none left.
+/// Address of the next other mux that may connect something; 0 when there is none left. What muxes connect is unknown
+/// until the first of them is set, which is part of the bring-up, and after a fault.
 std::uint8_t I2cBus::next_to_switch_off() {
   const std::uint8_t target = active_->route_.address;
   if (mux_known_) {
@@ -174,6 +179,7 @@ std::uint8_t I2cBus::next_to_switch_off() {
     return is_off ? std::uint8_t{0} : selected_.address;
   }
   for (std::uint8_t i = deselect_cursor_; i < count_; ++i) {
+    only_after_fault();
     const std::uint8_t mux = slots_[i]->route_.address;
     if (mux == 0 || mux == target) continue;
     std::uint32_t& addresses = switched_off_[mux / 32 % 4];

@@ -58,8 +58,8 @@ class I2cSlot {
   /// True after kUnreachableAfter transfers in a row have failed, until one ends well. Context: any.
   [[nodiscard]] bool unreachable() const { return failures_.load() >= kUnreachableAfter; }
 
-  /// The write that makes this device's outputs safe. From now on it is what the bus sends first after start() and
-  /// after every recovery, before any other transfer. The bytes are read when it is sent; size 0 takes it back.
+  /// The write that makes this device's outputs safe. From now on it is what the bus sends first after every recovery,
+  /// before any other transfer. The bytes are read when it is sent; size 0 takes it back.
   void set_safe(const std::uint8_t* write, std::size_t size);
 
   /// Times the safe write has been sent and acknowledged; wraps. Context: any.
@@ -106,7 +106,7 @@ class I2cBus {
   /// A bus without devices.
   constexpr I2cBus(I2cPort& port, std::int64_t clock_hz) : I2cBus(port, clock_hz, nullptr, 0) {}
 
-  /// Sets the port up. Nothing is known of the muxes, and safe writes go first. Context: init.
+  /// Sets the port up. Nothing is known of the muxes. Context: init.
   void start();
 
   /// Ends an overdue transfer and carries recovery on, at most one port step per call. Context: fastest bucket, once
@@ -135,7 +135,8 @@ class I2cBus {
         slots_(slots),
         count_(static_cast<std::uint8_t>(count)),
         clock_hz_(static_cast<std::int32_t>(clock_hz)),
-        byte_time_(static_cast<std::int32_t>(9 * 1000000000LL / clock_hz)) {}
+        byte_time_(static_cast<std::int32_t>(9 * 1000000000LL / clock_hz)),
+        safe_cursor_(count_) {}
 
   void request() { port_->pend(); }
   void pick();
@@ -157,8 +158,8 @@ class I2cBus {
 
   I2cSlot* active_ = nullptr;  ///< only the interrupt writes what follows, while the mode is kReady
   Phase phase_ = Phase::kTransfer;
-  bool safe_unit_ = false;        ///< the active unit is the slot's safe write
-  std::uint8_t safe_cursor_ = 0;  ///< slots whose safe write has still to be sent begin here
+  bool safe_unit_ = false;    ///< the active unit is the slot's safe write
+  std::uint8_t safe_cursor_;  ///< slots whose safe write has still to be sent begin here
   std::uint8_t deselect_cursor_ = 0;
   std::uint32_t switched_off_[4] = {};  ///< addresses of muxes, a bit each, that this unit switched off already
   bool mux_known_ = false;              ///< no mux but selected_ connects anything
