@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 194246, finemote::kNothingToBound, nullptr},  // imu
-    {0, 188194, 28452447, &gimbal::yaw.command},  // yaw
-    {0, 181499, 28445752, &gimbal::pitch.command},  // pitch
-    {1, 234563, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 305036, 26569189, &chassis::front_left.command},  // front_left
-    {2, 298596, 26562749, &chassis::front_right.command},  // front_right
-    {2, 292085, 26556238, &chassis::rear_left.command},  // rear_left
-    {2, 285646, 26549799, &chassis::rear_right.command},  // rear_right
-    {2, 279200, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 387054, finemote::kNothingToBound, nullptr},  // remote
+    {0, 194210, finemote::kNothingToBound, nullptr},  // imu
+    {0, 188158, 28452411, &gimbal::yaw.command},  // yaw
+    {0, 181463, 28445716, &gimbal::pitch.command},  // pitch
+    {1, 234527, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 305000, 26569153, &chassis::front_left.command},  // front_left
+    {2, 298560, 26562713, &chassis::front_right.command},  // front_right
+    {2, 292049, 26556202, &chassis::rear_left.command},  // rear_left
+    {2, 285610, 26549763, &chassis::rear_right.command},  // rear_right
+    {2, 279164, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 386220, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -73,7 +73,7 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 362804, finemote::kNothingToBound, nullptr},  // sticks
+    {1, 362244, finemote::kNothingToBound, nullptr},  // sticks
     {0, 255565, 28935245, &arm::base.command},  // base
     {0, 249126, 28928806, &arm::shoulder.command},  // shoulder
     {0, 242681, 28922361, &arm::elbow.command},  // elbow
