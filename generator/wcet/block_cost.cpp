@@ -34,7 +34,8 @@ bool may_be_unaligned(unsigned id) {
 
 bool is_aligned(const Access& access) {
   const Interval address = access.address.range();
-  return access.size == 1 || (address.is_constant() && address.low % access.size == 0);
+  const bool is_known = address.is_constant() || access.step % access.size == 0;
+  return access.size == 1 || (is_known && address.low % access.size == 0);
 }
 
 }  // namespace

@@ -60,12 +60,12 @@ bool Constants::is_broken_by(const Access& store) const {
   return at.is_constant() && is_constant(at.low, store.size);
 }
 
-/// Nothing says that what is read lies at a multiple of its size: parts of packed classes do not.
+/// Only a table's step says that what is read lies at a multiple of its size: parts of packed classes do not.
 std::optional<Interval> Constants::load(const Access& access) const {
   const Interval at = access.address.range();
   if (at.high - at.low > kLargestTable) return std::nullopt;
   std::optional<Interval> result;
-  for (std::uint64_t address = at.low; address <= at.high; ++address) {
+  for (std::uint64_t address = at.low; address <= at.high; address += access.step) {
     const auto value = word(static_cast<std::uint32_t>(address), access.size);
     if (!value) return std::nullopt;
     result = result ? join(*result, Interval::of(*value)) : Interval::of(*value);

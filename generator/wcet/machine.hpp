@@ -53,6 +53,7 @@ class Unknowns {
 struct Access {
   Value address;
   std::uint32_t size = 4;  ///< bytes: 1, 2 or 4
+  std::uint32_t step = 1;  ///< it goes to a multiple of these bytes above the lowest address
 };
 
 class Machine;

@@ -67,10 +67,12 @@ Form form_of(unsigned id) {
 
 bool is_double(int reg) { return reg >= ARM_REG_D0 && reg <= ARM_REG_D31; }
 
-void append(MemoryUse& use, Value address, std::uint32_t size, int reg) {
+void append(MemoryUse& use, Value address, std::uint32_t size, int reg, std::uint32_t step = 1) {
   const std::uint32_t words = is_double(reg) ? 2 : 1;
-  for (std::uint32_t word = 0; word < words; ++word)
-    use.words.push_back({{sum(address, Value::of(4 * static_cast<std::uint32_t>(use.words.size()))), size}, reg});
+  for (std::uint32_t word = 0; word < words; ++word) {
+    const Value at = sum(address, Value::of(4 * static_cast<std::uint32_t>(use.words.size())));
+    use.words.push_back({{at, size, step}, reg});
+  }
 }
 
 Value effective_address(const Instruction& i, const cs_arm_op& memory, const Machine& machine) {
@@ -78,6 +80,14 @@ Value effective_address(const Instruction& i, const cs_arm_op& memory, const Mac
   if (memory.mem.index == ARM_REG_INVALID) return address;
   const Value index = shifted(machine.get(memory.mem.index), memory);
   return memory.mem.scale >= 0 ? sum(address, index) : difference(address, index);
+}
+
+/// Bytes from one element to the next, of a table that is known to lie at a multiple of them; else 1.
+std::uint32_t step_of(const Instruction& i, const cs_arm_op& memory, const Machine& machine) {
+  if (memory.mem.index == ARM_REG_INVALID || memory.shift.type != ARM_SFT_LSL) return 1;
+  const Interval begin = base_of(i, memory.mem.base, machine).range();
+  const std::uint32_t step = 1U << (memory.shift.value & 31U);
+  return begin.is_constant() && begin.low % step == 0 ? step : 1;
 }
 
 MemoryUse single_use(const Instruction& i, Form form, const Machine& machine) {
@@ -88,7 +98,7 @@ MemoryUse single_use(const Instruction& i, Form form, const Machine& machine) {
   const Value address = effective_address(i, *memory, machine);
   const std::size_t place = static_cast<std::size_t>(memory - i.operands.data());
   for (std::size_t o = is_exclusive_store(i.id) ? 1 : 0; o < place; ++o)
-    append(use, address, form.size, i.operands[o].reg);
+    append(use, address, form.size, i.operands[o].reg, step_of(i, *memory, machine));
   if (!i.writes_back) return use;
   Value base = address;
   if (i.operands.size() > place + 1) base = sum(address, operand(i, place + 1, machine));  // post-indexed

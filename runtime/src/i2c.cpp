@@ -37,7 +37,7 @@ bool I2cSlot::start(const std::uint8_t* write, std::size_t write_size, std::uint
   // Recovery fails what is queued when it begins; a request made during it fails here, so that no output computed
   // before or during the trouble is sent after the safe writes.
   if (!bus_->ready() && state_.replace(SlotState::kQueued, SlotState::kFailed)) {
-    end(SlotState::kFailed);
+    end(SlotState::kFailed, now());
     return true;
   }
   bus_->request();
@@ -49,9 +49,9 @@ void I2cSlot::set_safe(const std::uint8_t* write, std::size_t size) {
   safe_size_.store(static_cast<std::uint16_t>(size));
 }
 
-void I2cSlot::end(SlotState result) {
+void I2cSlot::end(SlotState result, Time at) {
   count_failure(result != SlotState::kDone);
-  ended_ = now();
+  ended_ = at;
   state_.store(result);
 }
 
@@ -67,7 +67,7 @@ void I2cBus::start() {
 
 void I2cBus::on_interrupt(I2cEvent event) {
   if (mode_.load() != Mode::kReady) return;
-  if (active_ == nullptr) return pick();
+  if (active_ == nullptr) return pick(now());
   switch (event) {
     case I2cEvent::kNone:
       if (overdue_.load() != unit_.load()) return;
@@ -80,8 +80,7 @@ void I2cBus::on_interrupt(I2cEvent event) {
     case I2cEvent::kNack:
       only_after_fault();
       if (phase_ == Phase::kDeselect) return go_on();  // a mux that does not answer connects nothing
-      finish_unit(SlotState::kNack);
-      return pick();
+      return pick(finish_unit(SlotState::kNack));
     case I2cEvent::kDone:
       return go_on();
   }
@@ -103,29 +102,29 @@ void I2cBus::go_on() {
     case Phase::kThen:
       break;
   }
-  finish_unit(SlotState::kDone);
-  pick();
+  pick(finish_unit(SlotState::kDone));
 }
 
-void I2cBus::pick() {
+void I2cBus::pick(Time at) {
   only_if_raised_by<Raised::request, Raised::end>();  // steps come while a unit is under way
   for (std::uint8_t i = safe_cursor_; i < count_; ++i) {
     only_after_fault();
     if (slots_[i]->safe_size_.load() == 0) continue;
     safe_cursor_ = static_cast<std::uint8_t>(i + 1);
-    return begin_unit(*slots_[i], true);
+    return begin_unit(*slots_[i], true, at);
   }
   safe_cursor_ = count_;
   for (std::uint8_t i = 0; i < count_; ++i) {
-    if (slots_[i]->state() == SlotState::kQueued) return begin_unit(*slots_[i], false);
+    if (slots_[i]->state_.load() == SlotState::kQueued) return begin_unit(*slots_[i], false, at);
   }
 }
 
-void I2cBus::begin_unit(I2cSlot& slot, bool safe) {
+void I2cBus::begin_unit(I2cSlot& slot, bool safe, Time at) {
   active_ = &slot;
   safe_unit_ = safe;
   if (!safe) slot.state_.store(SlotState::kActive);
-  deadline_ = now() + 2 * unit_time(slot) + kDeadlineSlack;
+  begun_ = at;
+  unit_bytes_ = most_bytes(slot);
   unit_.store(unit_.load() + 1);
   const bool connected = slot.route_.address == 0 || (mux_known_ && selected_ == slot.route_);
   deselect_cursor_ = 0;
@@ -133,11 +132,12 @@ void I2cBus::begin_unit(I2cSlot& slot, bool safe) {
   begin_phase(connected ? Phase::kTransfer : Phase::kDeselect);
 }
 
-/// Wire time of the longest form of the unit: every slot's mux switched off, two address bytes per exchange.
-Duration I2cBus::unit_time(const I2cSlot& slot) const {
+/// Of the longest form of the unit: every slot's mux switched off, two address bytes per exchange, and one byte's time
+/// for STARTs and STOPs.
+std::int32_t I2cBus::most_bytes(const I2cSlot& slot) const {
   const int muxes = slot.route_.address == 0 ? 0 : count_ + 1;
   const int bytes = safe_unit_ ? 1 + slot.safe_size_.load() : 4 + slot.write_size_ + slot.read_size_ + slot.then_size_;
-  return (3 * muxes + bytes + 1) * Duration{byte_time_};
+  return 3 * muxes + bytes + 1;
 }
 
 void I2cBus::begin_phase(Phase phase) {
@@ -193,7 +193,8 @@ std::uint8_t I2cBus::next_to_switch_off() {
   return 0;
 }
 
-void I2cBus::finish_unit(SlotState result) {
+Time I2cBus::finish_unit(SlotState result) {
+  const Time at = now();
   I2cSlot& slot = *active_;
   active_ = nullptr;
   unit_.store(unit_.load() + 1);
@@ -201,9 +202,14 @@ void I2cBus::finish_unit(SlotState result) {
   if (result != SlotState::kDone) ++counters_.errors;
   // A mux that lost its setting, as after a drop of its supply, shows as a device that does not answer: set it anew.
   if (result != SlotState::kDone && slot.route_.address != 0) mux_known_ = false;
-  if (!safe_unit_) return slot.end(result);
+  if (!safe_unit_) {
+    slot.end(result, at);
+    return at;
+  }
+  only_after_fault();
   slot.count_failure(result != SlotState::kDone);
   if (result == SlotState::kDone) slot.safe_writes_.store(slot.safe_writes_.load() + 1);
+  return at;
 }
 
 // ------------------------------------------------------------------------------------------------------------ recovery
@@ -211,9 +217,9 @@ void I2cBus::finish_unit(SlotState result) {
 void I2cBus::enter_recovery() {
   port_->abort();
   mode_.store(Mode::kRecover);
-  finish_unit(SlotState::kFailed);
+  const Time at = finish_unit(SlotState::kFailed);
   for (std::uint8_t i = 0; i < count_; ++i) {
-    if (slots_[i]->state() == SlotState::kQueued) slots_[i]->end(SlotState::kFailed);
+    if (slots_[i]->state() == SlotState::kQueued) slots_[i]->end(SlotState::kFailed, at);
   }
   mux_known_ = false;
   ++counters_.recoveries;
@@ -227,9 +233,9 @@ void I2cBus::supervise() {
       return;
     case Mode::kReady: {
       const std::uint32_t unit = unit_.load();
-      const Time deadline = deadline_;
+      const Time deadline = begun_ + 2 * unit_bytes_ * Duration{byte_time_} + kDeadlineSlack;
       Shared<std::uint32_t>::fence();
-      // An odd number that has not changed: the deadline read is this unit's, and whole.
+      // An odd number that has not changed: what was read is this unit's, and whole.
       if (unit % 2 == 0 || unit_.load() != unit || now() <= deadline) return;
       overdue_.store(unit);
       port_->pend();

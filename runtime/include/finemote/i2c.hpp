@@ -72,7 +72,7 @@ class I2cSlot {
 
  private:
   friend class I2cBus;
-  void end(SlotState result);
+  void end(SlotState result, Time at);
   void count_failure(bool failed);
 
   I2cBus* const bus_;
@@ -139,14 +139,14 @@ class I2cBus {
         safe_cursor_(count_) {}
 
   void request() { port_->pend(); }
-  void pick();
-  void begin_unit(I2cSlot& slot, bool safe);
-  [[nodiscard]] Duration unit_time(const I2cSlot& slot) const;
+  void pick(Time at);
+  void begin_unit(I2cSlot& slot, bool safe, Time at);
+  [[nodiscard]] std::int32_t most_bytes(const I2cSlot& slot) const;
   void begin_phase(Phase phase);
   I2cMessage message(std::uint8_t mux);
   std::uint8_t next_to_switch_off();
   void go_on();
-  void finish_unit(SlotState result);
+  Time finish_unit(SlotState result);
   void enter_recovery();
   void carry_recovery_on();
 
@@ -165,7 +165,8 @@ class I2cBus {
   bool mux_known_ = false;              ///< no mux but selected_ connects anything
   MuxRoute selected_{};                 ///< the mux channels connected now
   std::uint8_t mux_byte_ = 0;
-  Time deadline_ = 0;
+  Time begun_ = 0;                    ///< when the unit on the wire did
+  std::int32_t unit_bytes_ = 0;       ///< that it takes at most
   Shared<std::uint32_t> unit_{0};     ///< begins and ends of units: odd while one is on the wire
   Shared<std::uint32_t> overdue_{0};  ///< the unit supervise() wants ended
   Shared<Mode> mode_{Mode::kOff};
