@@ -11,8 +11,8 @@ struct Region {
   Cycles MemoryWaits::*wait;
 };
 
+constexpr Region kFlashRegion = {0x08000000, 0x1FFFFFFF, &MemoryWaits::flash};  // system memory, too; CCM below
 constexpr Region kElsewhere[] = {
-    {0x08000000, 0x1FFFFFFF, &MemoryWaits::flash},          // flash, system memory; CCM below
     {0x20000000, 0x2001FFFF, &MemoryWaits::sram},           //
     {0x22000000, 0x23FFFFFF, &MemoryWaits::bit_band_sram},  // an alias of single bits, as below
     {0x40000000, 0x4000FFFF, &MemoryWaits::apb1},           //
@@ -33,6 +33,10 @@ bool meets(Interval a, std::uint32_t first, std::uint32_t last) { return a.low <
 /// and no array leads to a peripheral, then.
 bool is_unknown(Interval address) { return address.low < kFirstDevice && address.high > kLastMemory; }
 
+/// From below flash to core-coupled RAM or beyond: a pointer that may be none, say. It leads to no flash where the code
+/// runs in SRAM.
+bool spans_flash(Interval address) { return address.low < kFlashMemory.low && address.high >= kCoreRam.low; }
+
 }  // namespace
 
 std::optional<Cycles> longest_wait(Interval address, Placement placement, const MemoryWaits& waits) {
@@ -42,9 +46,11 @@ std::optional<Cycles> longest_wait(Interval address, Placement placement, const 
                     longest_wait(placement == Placement::sram ? kLow : kFlashMemory, placement, waits));
   std::optional<Cycles> longest;
   if (meets(address, kLow.low, kLow.high)) longest = placement == Placement::sram ? waits.fetched_sram : waits.flash;
-  for (const Region& region : kElsewhere) {
+  const auto take = [&](const Region& region) {
     if (meets(address, region.first, region.last)) longest = std::max(longest.value_or(0), waits.*region.wait);
-  }
+  };
+  if (placement == Placement::flash || !spans_flash(address)) take(kFlashRegion);
+  for (const Region& region : kElsewhere) take(region);
   return longest;
 }
 

@@ -33,8 +33,8 @@ struct MemoryWaits {
 /// Longest wait of one access beyond what the instruction takes, wherever in `address` it goes; a store waits for its
 /// write here, not where the next access meets it. DMA is not in it: it is a stream of its own
 /// (tasks/robot_buses.cpp). An address of which nothing is known is one of a variable or a constant: no variable holds
-/// the address of a peripheral, and where the code runs in SRAM the constants lie there, too. None of what is outside
-/// of the chip: how long it takes depends on its memory controller.
+/// the address of a peripheral nor, where the code runs in SRAM and the constants lie there, too, of flash. None of
+/// what is outside of the chip: how long it takes depends on its memory controller.
 std::optional<Cycles> longest_wait(Interval address, Placement placement, const MemoryWaits& waits);
 
 /// Where in `address` an access need not be aligned: not in a peripheral, which is Device memory, of which that would

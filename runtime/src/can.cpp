@@ -154,6 +154,7 @@ CanBus::Next CanBus::first_waiting() {
   const std::uint32_t slots = waiting_slots_.load();
   if (slots == 0) return {};
   const unsigned first = lowest(slots);
+  if (first >= count_) return {};  // none has that place: tools see that what follows is a slot
   return {&slots_[first]->out_, &waiting_slots_, bit_of(first)};
 }
 
