@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 486157, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1026344, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1023644, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1020944, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1018177, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1015477, 31357513, &rov::thruster_1.command},  // thruster_1
-    {1, 1008584, 31350691, &rov::thruster_2.command},  // thruster_2
-    {1, 1003960, 31346133, &rov::thruster_3.command},  // thruster_3
-    {1, 999401, 31341508, &rov::thruster_4.command},  // thruster_4
-    {1, 994771, 31336944, &rov::thruster_5.command},  // thruster_5
-    {1, 987884, 31329991, &rov::thruster_6.command},  // thruster_6
-    {1, 983260, 31325433, &rov::thruster_7.command},  // thruster_7
-    {1, 978701, 31320671, &rov::thruster_8.command},  // thruster_8
-    {1, 974077, finemote::kNothingToBound, nullptr},  // rov
+    {0, 415670, finemote::kNothingToBound, nullptr},  // imu
+    {1, 974216, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 971516, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 966475, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 963709, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 961009, 31258938, &rov::thruster_1.command},  // thruster_1
+    {1, 956450, 31254314, &rov::thruster_2.command},  // thruster_2
+    {1, 943785, 31249756, &rov::thruster_3.command},  // thruster_3
+    {1, 939226, 31245198, &rov::thruster_4.command},  // thruster_4
+    {1, 934662, 31238226, &rov::thruster_5.command},  // thruster_5
+    {1, 930044, 31227974, &rov::thruster_6.command},  // thruster_6
+    {1, 925486, 31223349, &rov::thruster_7.command},  // thruster_7
+    {1, 918520, 31216456, &rov::thruster_8.command},  // thruster_8
+    {1, 913962, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 463.363 us of its release.
+/// a job ends within 410.184 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.007 ms of its release.
+/// a job ends within 954.319 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{463363, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{961320, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{961320, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{961320, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{961320, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{961320, 31296455, 35249423};
-inline constexpr finemote::Bounds thruster_2{959461, 31294597, 35249489};
-inline constexpr finemote::Bounds thruster_3{957603, 31292673, 35249423};
-inline constexpr finemote::Bounds thruster_4{955745, 31288682, 35247290};
-inline constexpr finemote::Bounds thruster_5{953815, 31286752, 35247225};
-inline constexpr finemote::Bounds thruster_6{943928, 31284900, 35247225};
-inline constexpr finemote::Bounds thruster_7{942070, 31283042, 35247291};
-inline constexpr finemote::Bounds thruster_8{940212, 31281184, 35247291};
-inline constexpr finemote::Bounds rov{938353, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{410184, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{903540, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{903540, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{903540, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{903540, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{903540, 31197939, 34988028};
+inline constexpr finemote::Bounds thruster_2{899274, 31196081, 34988028};
+inline constexpr finemote::Bounds thruster_3{897416, 31194223, 34990435};
+inline constexpr finemote::Bounds thruster_4{895558, 31192365, 34990435};
+inline constexpr finemote::Bounds thruster_5{893694, 31190501, 34990435};
+inline constexpr finemote::Bounds thruster_6{891842, 31188649, 34990436};
+inline constexpr finemote::Bounds thruster_7{889918, 31186587, 35005355};
+inline constexpr finemote::Bounds thruster_8{888060, 31184729, 35005356};
+inline constexpr finemote::Bounds rov{886202, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 194210, finemote::kNothingToBound, nullptr},  // imu
-    {0, 188158, 28452411, &gimbal::yaw.command},  // yaw
-    {0, 181463, 28445716, &gimbal::pitch.command},  // pitch
-    {1, 234527, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 305000, 26569153, &chassis::front_left.command},  // front_left
-    {2, 298560, 26562713, &chassis::front_right.command},  // front_right
-    {2, 292049, 26556202, &chassis::rear_left.command},  // rear_left
-    {2, 285610, 26549763, &chassis::rear_right.command},  // rear_right
-    {2, 279164, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 386220, finemote::kNothingToBound, nullptr},  // remote
+    {0, 193804, finemote::kNothingToBound, nullptr},  // imu
+    {0, 187752, 28452005, &gimbal::yaw.command},  // yaw
+    {0, 181057, 28445310, &gimbal::pitch.command},  // pitch
+    {1, 234121, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 304594, 26568747, &chassis::front_left.command},  // front_left
+    {2, 298154, 26562307, &chassis::front_right.command},  // front_right
+    {2, 291643, 26555796, &chassis::rear_left.command},  // rear_left
+    {2, 285204, 26549357, &chassis::rear_right.command},  // rear_right
+    {2, 278758, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 385814, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

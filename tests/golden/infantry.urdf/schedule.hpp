@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 184.374 us of its release.
+/// a job ends within 183.968 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 198.551 us of its release.
+/// a job ends within 198.145 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 266.85 us of its release.
+/// a job ends within 266.444 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 341.218 us of its release.
+/// a job ends within 323.437 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{181010, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{177657, 28441910, 28799232};
-inline constexpr finemote::Bounds pitch{173662, 28437915, 28799233};
-inline constexpr finemote::Bounds gimbal{198551, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{265332, 26529485, 26931243};
-inline constexpr finemote::Bounds front_right{261593, 26525746, 26931243};
-inline constexpr finemote::Bounds rear_left{257847, 26522000, 26931242};
-inline constexpr finemote::Bounds rear_right{254108, 26518261, 26931242};
-inline constexpr finemote::Bounds chassis{250363, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{341218, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{180604, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{177251, 28441504, 28798623};
+inline constexpr finemote::Bounds pitch{173256, 28437509, 28798624};
+inline constexpr finemote::Bounds gimbal{198145, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{264926, 26529079, 26930431};
+inline constexpr finemote::Bounds front_right{261187, 26525340, 26930431};
+inline constexpr finemote::Bounds rear_left{257441, 26521594, 26930430};
+inline constexpr finemote::Bounds rear_right{253702, 26517855, 26930430};
+inline constexpr finemote::Bounds chassis{249957, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{323437, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 362244, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 255565, 28935245, &arm::base.command},  // base
-    {0, 249126, 28928806, &arm::shoulder.command},  // shoulder
-    {0, 242681, 28922361, &arm::elbow.command},  // elbow
-    {0, 236241, 28915921, &arm::wrist_roll.command},  // wrist_roll
-    {0, 212421, 28892101, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 205982, 28885662, &arm::flange.command},  // flange
-    {0, 193688, finemote::kNothingToBound, nullptr},  // arm
+    {1, 360054, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 255303, 28934983, &arm::base.command},  // base
+    {0, 248864, 28928544, &arm::shoulder.command},  // shoulder
+    {0, 242419, 28922099, &arm::elbow.command},  // elbow
+    {0, 235979, 28915659, &arm::wrist_roll.command},  // wrist_roll
+    {0, 212159, 28891839, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 205720, 28885400, &arm::flange.command},  // flange
+    {0, 193426, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

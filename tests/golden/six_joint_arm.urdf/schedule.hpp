@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 212.235 us of its release.
+/// a job ends within 211.973 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 310.667 us of its release.
+/// a job ends within 308.477 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{310667, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{209389, 28889069, 29206209};
-inline constexpr finemote::Bounds shoulder{205650, 28885330, 29206210};
-inline constexpr finemote::Bounds elbow{201905, 28881585, 29206210};
-inline constexpr finemote::Bounds wrist_roll{192317, 28871997, 29200361};
-inline constexpr finemote::Bounds wrist_pitch{188572, 28868252, 29200361};
-inline constexpr finemote::Bounds flange{184833, 28864513, 29200361};
-inline constexpr finemote::Bounds arm{181088, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{308477, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{209127, 28888807, 29205685};
+inline constexpr finemote::Bounds shoulder{205388, 28885068, 29205686};
+inline constexpr finemote::Bounds elbow{201643, 28881323, 29205686};
+inline constexpr finemote::Bounds wrist_roll{192055, 28871735, 29199837};
+inline constexpr finemote::Bounds wrist_pitch{188310, 28867990, 29199837};
+inline constexpr finemote::Bounds flange{184571, 28864251, 29199837};
+inline constexpr finemote::Bounds arm{180826, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm
