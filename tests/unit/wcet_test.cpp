@@ -13,6 +13,8 @@
 #include "generator/wcet/longest_path.hpp"
 #include "generator/wcet/loop_nest.hpp"
 #include "generator/wcet/machine.hpp"
+#include "generator/wcet/memory_map.hpp"
+#include "generator/wcet/operands.hpp"
 #include "generator/wcet/walk.hpp"
 #include "generator/wcet/without.hpp"
 
@@ -489,6 +491,40 @@ TEST_CASE("constants are found behind others that lie in the same section") {
   const Constants constants(image, {{kBase, kBase + 2}, {kBase + 1, kBase + 3}});
   CHECK(constants.load({Value::of(kBase + 4), 4}) == Interval::of(0xDEF09ABC));
   CHECK_FALSE(constants.load({Value::of(kBase + 6), 4}));
+}
+
+TEST_CASE("an element of a table is read whole, and nothing between two of them") {
+  const Image image = image_of_code({0x0001, 0x1000, 0x0002, 0x1000});
+  const Constants constants(image, {{kBase, kBase + 8}});
+  const Value either = Value::in({kBase, kBase + 4});
+  CHECK(constants.load({either, 4, 4}) == Interval{0x1000'0001, 0x1000'0002});
+  CHECK(constants.load({either, 4})->low < 0x1000'0001);  // a member of a packed class may lie anywhere
+}
+
+TEST_CASE("an index that is shifted steps from element to element of a table that lies at a multiple of them") {
+  constexpr std::uint16_t kLoad[] = {0xF851, 0x0022};  // ldr.w r0, [r1, r2, lsl #2]
+  const auto step_at = [&](Word begin) {
+    const Image image = image_of_code({kLoad[0], kLoad[1], kReturn});
+    const Program program(image, {});
+    Machine machine;
+    machine.set(ARM_REG_R1, Value::of(begin));
+    machine.set(ARM_REG_R2, Value::in({0, 3}));
+    const MemoryUse use = memory_use(program.at(kBase)->body.instructions().front(), machine);
+    REQUIRE(use.words.size() == 1);
+    CHECK(use.words[0].access.address.range() == Interval{begin, begin + 12});
+    return use.words[0].access.step;
+  };
+  CHECK(step_at(0x1000'0100) == 4);
+  CHECK(step_at(0x1000'0102) == 1);
+}
+
+TEST_CASE("a pointer that may be none waits for no flash where code runs in SRAM") {
+  const Interval none_or_variable{0, 0x1000'1000}, in_flash{0x0800'0000, 0x0800'0100};
+  const MemoryWaits waits;
+  CHECK(longest_wait(none_or_variable, Placement::sram, waits) == waits.fetched_sram);
+  CHECK(longest_wait(none_or_variable, Placement::flash, waits) == waits.flash);
+  CHECK(longest_wait(in_flash, Placement::sram, waits) == waits.flash);
+  CHECK(longest_wait({0x0700'0000, 0x0800'0000}, Placement::sram, waits) == waits.flash);
 }
 
 TEST_CASE("a loop over what a caller gives has no bound") {
