@@ -93,6 +93,10 @@ void Cpu::passed(std::uint32_t address, Time at) {
   }
 }
 
+void Cpu::saved_float(Time at, Time took) {
+  if (log_ != nullptr) log_->push_back({at, static_cast<std::uint32_t>(took), ExecutionEvent::Kind::save});
+}
+
 void Cpu::report_unmodelled(const char* what) { reports_.add(Misuse::unmodelled, what, now(), pc()); }
 
 void Cpu::reset() {

@@ -143,6 +143,7 @@ class Cpu : private Outside {
   void stack_moved() override;
   void report_unmodelled(const char* what) override;
   void passed(std::uint32_t address, Time at) override;
+  void saved_float(Time at, Time took) override;
   bool may_execute(std::uint32_t address) override;
 
   void after_access();

@@ -19,7 +19,8 @@ struct ExecutionEvent {
     due,     ///< `number`: the exception, pending from now on
     mark,    ///< the instruction at a mark begins; `number`: what the mark stands for
     loop,    ///< the instruction at a watched place of a loop begins; `number`: which
-    reset,   ///< the processor starts anew
+    save,  ///< registers of the floating-point unit were saved late, for what was preempted; `number`: the time it took
+    reset,  ///< the processor starts anew
   };
 
   Time at = 0;

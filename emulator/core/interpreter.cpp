@@ -120,7 +120,11 @@ inline bool Interpreter::begin_float() {
   if (!fpu_on) return false;
   if (!fp_active) registers.fpscr = 0;  // a new context takes FPDSCR, of which nothing else is modelled: B1.5.7
   fp_active = true;
-  if (lazy_frame) pace.charge(kLazyCycles);
+  if (lazy_frame) {
+    const Time begun = pace.time;
+    pace.charge(kLazyCycles);
+    outside_.saved_float(pace.time, pace.time - begun);
+  }
   lazy_frame = false;
   return true;
 }

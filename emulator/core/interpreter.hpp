@@ -45,6 +45,8 @@ class Outside {
   virtual void report_unmodelled(const char* what) = 0;
   /// The marked instruction at `address` begins at `at`.
   virtual void passed(std::uint32_t address, Time at) = 0;
+  /// Registers of the floating-point unit were saved for what was preempted, which took until `at`.
+  virtual void saved_float(Time at, Time took) = 0;
   /// Asked before an instruction that was not taken apart before.
   virtual bool may_execute(std::uint32_t address) {
     static_cast<void>(address);

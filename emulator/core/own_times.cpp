@@ -32,6 +32,9 @@ void OwnTimes::add(const ExecutionEvent& event) {
     case ExecutionEvent::Kind::mark:
       pass_mark(event.number);
       break;
+    case ExecutionEvent::Kind::save:
+      frames_.back().saved += event.number;
+      break;
     case ExecutionEvent::Kind::reset:
       frames_.assign(1, Frame{});
       break;
@@ -51,12 +54,12 @@ void OwnTimes::pass_mark(unsigned number) {
   const auto begun = frame.begun.find(bracket);
   if (number % 2 == 0) {
     if (begun != frame.begun.end()) return;
-    frame.begun.emplace(bracket, frame.own);
+    frame.begun.emplace(bracket, frame.own - frame.saved);
     events_.push_back({last_, bracket, false, 0});
     return;
   }
   if (begun == frame.begun.end()) return;
-  const Time own = frame.own - begun->second;
+  const Time own = frame.own - frame.saved - begun->second;
   count(brackets_[bracket], own);
   events_.push_back({last_, bracket, true, own});
   frame.begun.erase(begun);

@@ -24,7 +24,8 @@ struct BracketEvent {
 };
 
 /// An exception's own time reaches from the begin of stacking to the end of unstacking, a stage's from mark to mark.
-/// Time of an exception that came in between belongs to that exception alone.
+/// Time of an exception that came in between belongs to that exception alone. Saving floating-point registers for what
+/// was preempted belongs to the exception that preempts, whichever stage comes to it first: to no stage.
 class OwnTimes {
  public:
   /// Events in the order of time; call it as often as there are some.
@@ -41,7 +42,8 @@ class OwnTimes {
   struct Frame {
     unsigned exception = 0;  ///< 0: the idle loop
     Time own = 0;
-    std::map<unsigned, Time> begun = {};  ///< by bracket: `own` when it began
+    Time saved = 0;                       ///< of it, saving registers
+    std::map<unsigned, Time> begun = {};  ///< by bracket: `own` without `saved` when it began
   };
 
   void add(const ExecutionEvent& event);

@@ -32,6 +32,7 @@ const char* name_of(ExecutionEvent::Kind kind) {
       return "reset";
     case ExecutionEvent::Kind::mark:
     case ExecutionEvent::Kind::loop:
+    case ExecutionEvent::Kind::save:
       return nullptr;
   }
   return nullptr;

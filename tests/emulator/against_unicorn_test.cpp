@@ -24,6 +24,7 @@ class Nothing : public Outside {
   void masks_changed() override {}
   void stack_moved() override {}
   void passed(std::uint32_t, Time) override {}
+  void saved_float(Time, Time) override {}
   void report_unmodelled(const char*) override {}
   unsigned left = 0;
   std::uint32_t end = 0;

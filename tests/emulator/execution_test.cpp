@@ -162,6 +162,18 @@ TEST_CASE("a jump to itself is charged turn by turn, and not run so") {
   CHECK(together->cpu().idle_time() > from_ns(95'000));
 }
 
+TEST_CASE("registers that are saved late are on the account of who preempts, not of the stage that comes to it") {
+  Nest nest(Nest::kVadd, {kNop});
+  nest.board.cpu().mark(0x08000300, 0);
+  nest.board.cpu().mark(0x08000300 + bytes(Nest::kVadd), 1);
+  nest.pend(kLine);
+  nest.run(50'000);
+  OwnTimes own;
+  own.add(nest.log);
+  CHECK(own.brackets().at(0).longest == kCycle);
+  CHECK(nest.own(kLine) == 12 + 17 + 1 + 1 + 27);
+}
+
 TEST_CASE("an access that is not aligned becomes several") {
   CHECK(cycles({0x6804}, {0x20000000, 0, 0, 0}) == 2);
   CHECK(cycles({0x6804}, {0x20000002, 0, 0, 0}) == 3);
