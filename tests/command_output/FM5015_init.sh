@@ -7,6 +7,10 @@ finemote init rover 2>&1 | tail -3
 cat rover/README.md rover/NOTES
 (cd rover && finemote scaffold device sonar && finemote scaffold device sonar; echo "exit $?")
 finemote scaffold device Sonar; echo "exit $?"
+finemote scaffold device class; echo "exit $?"
+finemote scaffold device std; echo "exit $?"
+finemote scaffold device led; echo "exit $?"
+finemote scaffold board qemu_f405; echo "exit $?"
 finemote scaffold board my_board -o boards --format json; echo "exit $?"
 finemote scaffold board my_board -o boards; echo "exit $?"
 finemote init other --board robomaster_type_d; echo "exit $?"
