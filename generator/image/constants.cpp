@@ -52,8 +52,16 @@ std::string_view name_of(Dwarf_Die* die) {
   return name == nullptr ? std::string_view() : std::string_view(name);
 }
 
+/// Declared neither in the runtime, by the name that it is compiled under, nor with the compiler.
+bool is_users(Dwarf_Die* type) {
+  const char* const file = dwarf_decl_file(type);
+  const std::string_view name = file == nullptr ? std::string_view() : std::string_view(file);
+  return name.rfind("finemote/runtime/", 0) != 0 && name.find("/include/c++/") == std::string_view::npos;
+}
+
 class Search {
  public:
+  explicit Search(NoMutable no_mutable) : no_mutable_(no_mutable) {}
   KeptMembers found;
 
   /// Looks at a variable of this type at this place.
@@ -90,7 +98,7 @@ class Search {
   }
 
   /// A part of it may change although it is const.
-  static bool has_mutable(Dwarf_Die type, int depth) {
+  [[nodiscard]] bool has_mutable(Dwarf_Die type, int depth) const {
     if (depth > kDeepest) return true;
     const int tag = dwarf_tag(&type);
     const bool is_class = tag == DW_TAG_structure_type || tag == DW_TAG_class_type || tag == DW_TAG_union_type;
@@ -99,6 +107,7 @@ class Search {
       const auto inner = is_pointer ? std::nullopt : type_of(&type);
       return tag == DW_TAG_volatile_type || (inner && has_mutable(*inner, depth + 1));
     }
+    if (no_mutable_ == NoMutable::of_finemote && is_users(&type)) return true;
     Dwarf_Die member;
     if (dwarf_child(&type, &member) != 0) return false;
     do {
@@ -158,6 +167,7 @@ class Search {
     } while (dwarf_siblingof(&member, &member) == 0);
   }
 
+  const NoMutable no_mutable_;
   std::vector<ImageRange>* constant_ = nullptr;  ///< of `found`
   bool is_member_ = false;
 };
@@ -179,14 +189,14 @@ void search_in(Dwarf_Die parent, Search& search, int depth, bool is_in_function 
 
 }  // namespace
 
-KeptMembers kept_members(const std::string& path, Diagnostics& diagnostics) {
+KeptMembers kept_members(const std::string& path, NoMutable no_mutable, Diagnostics& diagnostics) {
   const DebugFile file(path);
   if (!file.is_open()) {
     diagnostics.error(code::bad_image, {}, "cannot read the image '" + path + "'");
     return {};
   }
   if (file.dwarf() == nullptr) return {};
-  Search search;
+  Search search(no_mutable);
   Dwarf_Off offset = 0, next = 0;
   std::size_t header = 0;
   for (; dwarf_nextcu(file.dwarf(), offset, &next, &header, nullptr, nullptr, nullptr) == 0; offset = next) {

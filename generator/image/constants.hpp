@@ -22,8 +22,14 @@ struct KeptMembers {
   std::vector<ImageRange> at_start;               ///< members of type finemote::AtStart: what start-up writes there
 };
 
+/// Whose classes have no `mutable` member: debug information does not tell of them.
+enum class NoMutable {
+  of_anybody,
+  of_finemote,  ///< and of none of the standard library: a user's may
+};
+
 /// Of all variables with static storage of the image at `path`. Reports FM6101 when the debug information cannot be
 /// read; an image without any has no such members.
-KeptMembers kept_members(const std::string& path, Diagnostics& diagnostics);
+KeptMembers kept_members(const std::string& path, NoMutable no_mutable, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

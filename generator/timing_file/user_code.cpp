@@ -1,5 +1,6 @@
 #include "generator/timing_file/user_code.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -28,6 +29,15 @@ void append(std::vector<SourceText>& all, std::vector<SourceText> more) {
   for (SourceText& file : more) all.push_back(std::move(file));
 }
 
+/// All that the compiler may read of the folders of a robot's own device types.
+std::vector<SourceText> user_texts(const Robot& robot, const files::Access& access) {
+  const std::vector<std::string> folders = user_include_dirs(robot);
+  std::vector<SourceText> all;
+  for (const std::string& folder : folders) append(all, sources_in(folder, access));
+  append(all, included_files(all, folders, access));
+  return all;
+}
+
 }  // namespace
 
 std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, const std::vector<std::string>& folders,
@@ -46,14 +56,17 @@ std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, cons
 }
 
 std::vector<std::string> user_files(const Robot& robot, const files::Access& access) {
-  const std::vector<std::string> folders = user_include_dirs(robot);
-  std::vector<SourceText> all;
-  for (const std::string& folder : folders) append(all, sources_in(folder, access));
-  append(all, included_files(all, folders, access));
+  const std::vector<SourceText> all = user_texts(robot, access);
   std::vector<std::string> paths;
   paths.reserve(all.size());
   for (const SourceText& file : all) paths.push_back(file.path);
   return paths;
+}
+
+bool may_change_constants(const Robot& robot, const files::Access& access) {
+  const std::vector<SourceText> all = user_texts(robot, access);
+  return std::any_of(all.begin(), all.end(),
+                     [](const SourceText& file) { return file.text.find("mutable") != std::string::npos; });
 }
 
 }  // namespace finemote::gen

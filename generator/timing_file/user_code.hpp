@@ -20,4 +20,7 @@ std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, cons
 /// lies in them, and what these include, whatever it is called.
 std::vector<std::string> user_files(const Robot& robot, const files::Access& access);
 
+/// Whether the word `mutable` is in one of them, wherever it stands: parts of constants may change, then.
+bool may_change_constants(const Robot& robot, const files::Access& access);
+
 }  // namespace finemote::gen
