@@ -150,7 +150,8 @@ struct Board {
   Costs costs;                                                  ///< where it runs its code in flash
   Costs costs_in_sram;                                          ///< where it runs it in SRAM
   Drivers drivers;
-  bool has_watchdog = false;  ///< only hardware has one
+  bool has_watchdog = false;   ///< only hardware has one
+  Duration analog_conversion;  ///< of one analog input, at most
 
   /// This computer: no chip, no cross compiler.
   [[nodiscard]] bool is_host() const { return chip == "host"; }

@@ -18,7 +18,7 @@ class InterfaceNames {
   void check(const std::string& named, const JsonPath& path) const {
     constexpr std::string_view kOurs = "finemote::";
     const std::string name = named.starts_with(kOurs) ? named.substr(kOurs.size()) : named;
-    const bool is_users = name.find("::") != std::string::npos;
+    const bool is_users = !named.starts_with(kOurs) && name.find("::") != std::string::npos;
     if (is_users || std::find(names_.begin(), names_.end(), name) != names_.end()) return;
     Diagnostic& finding = found_.add(path, fmt::format("finemote has no interface '{}'", name));
     suggest(finding, name, names_);

@@ -207,6 +207,8 @@ Board read_board(const Json& value, const Origin& origin, Diagnostics& diagnosti
   board.costs = read_costs(costs, CodePlace::flash);
   board.costs_in_sram = read_costs(costs, CodePlace::sram);
   board.drivers = read_drivers(value.at("drivers"));
+  if (const auto analog = value.find("analog"); analog != value.end() && analog->is_object())
+    board.analog_conversion = duration_member(*analog, "conversion_ns").value_or(Duration::zero());
   board.has_watchdog = optional_member<Json>(value, "watchdog").has_value();
   check_board(board, origin, diagnostics);
   return board;

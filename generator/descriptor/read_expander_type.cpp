@@ -62,7 +62,7 @@ class ExpanderCheck {
     }
     const bool sends = type.frames.per_flush.write_bytes > 0 || type.frames.per_channel.write_bytes > 0;
     if (!sends) contradiction({"kind"}, "a driver needs \"frames\": what a flush sends");
-    const bool is_shipped = type.cpp_class.rfind("finemote::", 0) == 0;
+    const bool is_shipped = type.header.find("runtime/include/") != std::string::npos;
     if (!type.flush && !is_shipped) contradiction({"kind"}, "a driver needs \"wcet\": how long its flush() takes");
     check_param(type, type.frames.checked_every, Unit::none, {"frames", "check", "every"});
   }

@@ -27,10 +27,37 @@ std::int64_t words_of(const Crossing& crossing) {
 /// Something of the part comes to the device.
 bool brings(const Frame& frame) { return frame.read_bytes > 0 || frame.stage == FrameStage::autonomous; }
 
-/// What a part sends goes into the state that others see, some time after it was so.
-bool has_no_acquisition(const DeviceType& type) {
+/// Null: it measures nothing itself.
+const NamedPin* measured_pin(const Use& use) {
+  return use.spec->function == "analog" && use.named != nullptr ? use.named : nullptr;
+}
+
+bool measures_pins(const gen::Device& device) {
+  return std::any_of(device.uses.begin(), device.uses.end(),
+                     [](const Use& use) { return measured_pin(use) != nullptr; });
+}
+
+/// What a part sends, and what a converter measures, goes into the state that others see some time after it was so.
+bool has_no_acquisition(const gen::Device& device) {
+  const DeviceType& type = *device.type;
   const std::vector<Frame> frames = type.frames.value_or(std::vector<Frame>());
-  return !type.acquisition && !type.provides.empty() && std::any_of(frames.begin(), frames.end(), brings);
+  const bool is_late = std::any_of(frames.begin(), frames.end(), brings) || measures_pins(device);
+  return !type.acquisition && !type.provides.empty() && is_late;
+}
+
+bool shares_converter(const Robot& robot, const gen::Device& device) {
+  const auto measures_there = [&](const gen::Device& other, const std::string& converter) {
+    return std::any_of(other.uses.begin(), other.uses.end(), [&](const Use& use) {
+      const NamedPin* pin = measured_pin(use);
+      return pin != nullptr && pin->converter == converter;
+    });
+  };
+  return std::any_of(device.uses.begin(), device.uses.end(), [&](const Use& use) {
+    const NamedPin* pin = measured_pin(use);
+    return pin != nullptr && std::any_of(robot.devices.begin(), robot.devices.end(), [&](const gen::Device& other) {
+             return &other != &device && measures_there(other, pin->converter);
+           });
+  });
 }
 
 /// A slot takes one transfer at a time. Between update() and handle() of one job nothing lets the first one end; and
@@ -52,7 +79,8 @@ bool may_find_slot_busy(const Robot& robot, const gen::Device& device) {
 
 UnknownAge unknown_age(const Robot& robot, const gen::Device& device) {
   if (device.type == nullptr) return UnknownAge::none;
-  if (has_no_acquisition(*device.type)) return UnknownAge::no_acquisition;
+  if (has_no_acquisition(device)) return UnknownAge::no_acquisition;
+  if (shares_converter(robot, device)) return UnknownAge::shared_converter;
   return may_find_slot_busy(robot, device) ? UnknownAge::busy_slot : UnknownAge::none;
 }
 
@@ -67,7 +95,8 @@ std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device&
   } else {
     result.periods = given.periods.value_or(1);
     result.every = given.published_every;
-    result.conversion = longest_counted(robot, conversion_time(device));
+    const Duration converter = measures_pins(device) ? robot.board->analog_conversion : Duration::zero();
+    result.conversion = longest_counted(robot, std::max(conversion_time(device), converter));
   }
   return result;
 }

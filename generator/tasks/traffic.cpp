@@ -165,6 +165,8 @@ void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const Wir
   transfer.bus = bus;
   transfer.wire = use.wire;
   transfer.interrupts = use.interrupts;
+  if (bus_type(robot_.buses[places_.buses()[bus]].kind).is_arbitrated)
+    transfer.frames = std::max<std::int64_t>(gen::add(use.ends, use.answers), 1);
   transfer.service = service(bus, use);
   transfer.after = after(stage);
   transfer.min_interval = by_itself ? use.min_interval : Duration::zero();

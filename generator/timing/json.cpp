@@ -70,6 +70,7 @@ Json transfer_json(const Model& model, const Transfer& t) {
   Json out{{"bus", model.buses[t.bus].name}, {"wire_ns", t.wire.ns()}, {"after", word_of(t.after, kAfterWords)}};
   add_if(out, "min_interval_ns", t.min_interval);
   if (t.interrupts != 1) out["interrupts"] = t.interrupts;
+  if (t.frames != 1) out["frames"] = t.frames;
   add_if(out, "service_ns", t.service);
   if (t.identifier) out["identifier"] = *t.identifier;
   if (t.command) out["command"] = true;

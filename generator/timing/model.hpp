@@ -79,9 +79,10 @@ struct Bus {
 
 /// Why nobody knows how old the data of a device are, where its part sends it some.
 enum class UnknownAge {
-  none,            ///< it is known, or there are none
-  no_acquisition,  ///< nothing says so
-  busy_slot,       ///< a measurement may find its slot taken by what another stage of the device sends
+  none,              ///< it is known, or there are none
+  no_acquisition,    ///< nothing says so
+  busy_slot,         ///< a measurement may find its slot taken by what another stage of the device sends
+  shared_converter,  ///< another device measures with the same converter, which drops what nobody has taken
 };
 
 /// Use of a bus once per period of the device (or, sent by the part itself, once per interval). Everything that waits
@@ -94,6 +95,7 @@ struct Transfer {
   Duration min_interval;        ///< autonomous: between two of them; 0: the device's period
   std::int64_t interrupts = 1;  ///< service routines on its way that the wire waits for
   Duration service;             ///< how long those routines run, of_transfers: no others do on its bus; 0: not known
+  std::int64_t frames = 1;      ///< on a bus that arbitrates: others may go between them
   bool command = false;         ///< carries the device's command: its last bit is the end of a chain
   bool reads = false;           ///< something comes back
   bool writes = false;          ///< something is sent; known of robots alone

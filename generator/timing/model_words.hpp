@@ -21,8 +21,10 @@ inline constexpr Word<InterruptCause> kCauseWords[] = {{InterruptCause::clock, "
                                                        {InterruptCause::transfer, "transfer"},
                                                        {InterruptCause::look, "look"}};
 
-inline constexpr Word<UnknownAge> kUnknownAgeWords[] = {
-    {UnknownAge::none, "none"}, {UnknownAge::no_acquisition, "no_acquisition"}, {UnknownAge::busy_slot, "busy_slot"}};
+inline constexpr Word<UnknownAge> kUnknownAgeWords[] = {{UnknownAge::none, "none"},
+                                                        {UnknownAge::no_acquisition, "no_acquisition"},
+                                                        {UnknownAge::busy_slot, "busy_slot"},
+                                                        {UnknownAge::shared_converter, "shared_converter"}};
 
 template <class Kind, std::size_t kCount>
 constexpr std::string_view word_of(Kind kind, const Word<Kind> (&words)[kCount]) {

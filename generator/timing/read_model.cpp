@@ -148,6 +148,7 @@ struct ModelReader::Tables {
       {"after", Need::target, Whole<Transfer>{&ModelReader::read_after}},
       {"min_interval_ns", Need::target, &Transfer::min_interval},
       {"interrupts", Need::target, &Transfer::interrupts},
+      {"frames", Need::target, &Transfer::frames, 1},
       {"service_ns", Need::target, &Transfer::service},
       {"command", Need::target, &Transfer::command},
       {"reads", Need::target, &Transfer::reads},

@@ -70,6 +70,7 @@ void TransferBounds::collect() {
         if (t.min_interval > Duration::zero()) item.period = t.min_interval;
       }
       if (t.identifier) item.identifiers = {*t.identifier, *t.identifier};
+      item.is_split = t.frames > 1;
       item_of_[d].push_back(add_item(item, t.interrupts, t.service));
     }
   }
@@ -191,7 +192,8 @@ std::optional<Duration> TransferBounds::wait(const Item& own) const {
   if (!own.bounded || loads_[own.bus].utilization > 1 || !is_declared_[own.bus]) return std::nullopt;
   const bool alone = std::none_of(items_.begin(), items_.end(),
                                   [&](const Item& item) { return &item != &own && competes(item, own); });
-  const Duration before_last = own.on_wire() - own.frame();  // of its own; more urgent ones may come between
+  // Of its own; more urgent ones may come between. Of a question and its answer the last may be the shorter one.
+  const Duration before_last = own.is_split ? own.on_wire() : own.on_wire() - own.frame();
   const Duration begin = alone ? Duration::zero() : at_begin(own) + own.look;
   const auto wait = least_wait(own, begin + before_last, own.period, true);
   // The slot must be free again before it is filled the next time. That of a part that sends by itself, and the mailbox

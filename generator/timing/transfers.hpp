@@ -55,6 +55,7 @@ class TransferBounds {
     /// Identifiers of its first and last frame there; none: not known.
     std::optional<std::pair<std::int64_t, std::int64_t>> identifiers = std::nullopt;
     std::int64_t frames = 1;  ///< that it is sent in, all equally long
+    bool is_split = false;    ///< in frames of which nobody knows how long the last is
     std::size_t bucket = 0;   ///< whose jobs hand it over
     /// On a polled bus: from the end of a transfer to the look that sees it, and begins the next one.
     Duration look = {};

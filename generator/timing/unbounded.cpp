@@ -55,7 +55,10 @@ std::vector<Cause> causes(const Timing& timing, const ChainResult& chain) {
 
 std::string unknown_age_text(const Device& device) {
   if (device.unknown_age == UnknownAge::no_acquisition)
-    return fmt::format("the part of '{}' sends it something, and its type does not say how old that is ('acquisition')",
+    return fmt::format("what '{}' reads is older than its update(), and its type does not say how much ('acquisition')",
+                       device.name);
+  if (device.unknown_age == UnknownAge::shared_converter)
+    return fmt::format("another device measures with the converter of '{}', which drops what nobody has taken yet",
                        device.name);
   return fmt::format(
       "a measurement of '{}' may find its slot taken by what another stage sends: its type does not say how many in a "

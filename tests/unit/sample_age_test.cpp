@@ -1,4 +1,8 @@
 // Whose samples have no age that anybody knows, and which commands leave late.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "catch.hpp"
 #include "timing_robots.hpp"
 
@@ -31,7 +35,7 @@ TEST_CASE("what a part sends is as old as nobody knows where its type does not s
   CHECK(chain(timing, "own", "own").wire);
   REQUIRE(timing.missing.size() == 1);
   CHECK(timing.missing.front().why ==
-        "the part of 'own' sends it something, and its type does not say how old that is ('acquisition')");
+        "what 'own' reads is older than its update(), and its type does not say how much ('acquisition')");
 }
 
 TEST_CASE("a measurement may find its slot taken by another stage of its device, again and again") {
@@ -55,6 +59,70 @@ TEST_CASE(
     REQUIRE(wire);
     CHECK(*wire > finemote::gen::milliseconds(5));
   }
+}
+
+TEST_CASE("others may go between a question on CAN and its answer") {
+  std::string motors;
+  for (int id = 1; id <= 6; ++id)
+    motors += fmt::format(R"(<device name="m{0}" type="dji_m3508" bus="line" id="{0}"/>)", id);
+  Robots robot = Robots::with("<bus name=\"line\" " + kCan + R"(/><device name="root" type="group" period="5ms">
+    <device name="own" type="asks_on_can" bus="line" id="8"/>)" +
+                              motors + "</device>");
+  const auto wire = [&] {
+    Diagnostics findings;
+    const auto timing = analyse(robot.model, {}, findings);
+    REQUIRE(timing);
+    return chain(*timing, "own", "own").wire.value();
+  };
+  auto& transfers = robot.model.devices[robot["own"]].transfers;
+  REQUIRE(transfers.size() == 1);
+  CHECK(transfers.front().frames == 2);
+  const auto apart = wire();
+  transfers.front().frames = 1;
+  CHECK(wire() < apart);
+}
+
+namespace {
+
+const std::string kBattery = R"(<use role="sense" pin="battery"/></device>)";
+
+/// Acquire of a battery that is measured beside so much work in each millisecond.
+finemote::gen::Duration acquire_beside(const std::string& work) {
+  const Robots robot = Robots::with(R"(<device name="root" type="group" period="1ms">
+    <device name="load" type="sim_load"><param name="update">)" +
+                                    work + R"(</param></device>
+    <device name="own" type="battery">)" +
+                                    kBattery + "</device>");
+  Diagnostics findings;
+  const auto timing = analyse(robot.model, {}, findings);
+  REQUIRE(timing);
+  return chain(*timing, "own", "load").acquire.value();
+}
+
+}  // namespace
+
+TEST_CASE("a conversion that may not have ended by the next update() takes another period") {
+  CHECK(acquire_beside("100us") < finemote::gen::milliseconds(2));
+  CHECK(acquire_beside("970us") > finemote::gen::milliseconds(3));
+}
+
+TEST_CASE("what a converter measured is as old as nobody knows where no type says it, and where others use it, too") {
+  const std::string ageless = R"(<device name="own" type="volts_of_any_age" period="5ms">)";
+  CHECK(Robots::with(ageless + kBattery).model.devices[finemote::gen::Rank{0}].unknown_age ==
+        UnknownAge::no_acquisition);
+  Robots robot = Robots::with(R"(<device name="root" type="group" period="5ms">
+    <device name="load" type="sim_load"/><device name="own" type="battery">)" +
+                              kBattery + "</device>");
+  CHECK(robot.model.devices[robot["own"]].unknown_age == UnknownAge::none);
+  auto& devices = robot.robot->devices;
+  const auto named = [&](const std::string& name) -> auto& {
+    return *std::find_if(devices.begin(), devices.end(), [&](const auto& d) { return d.name.text == name; });
+  };
+  named("load").uses = named("own").uses;
+  Diagnostics findings;
+  const auto model = make_timing_model(*robot.robot, robot.forest, robot.schedule, findings);
+  REQUIRE(model);
+  CHECK(model->devices[robot["own"]].unknown_age == UnknownAge::shared_converter);
 }
 
 TEST_CASE("nobody knows the load of a bus over which somebody may send anything") {
