@@ -2,6 +2,7 @@
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/robot_input.hpp"
+#include "generator/cli/run_bounds.hpp"
 #include "generator/cli/saved_document.hpp"
 #include "generator/cli/subject.hpp"
 #include "generator/diagnostic/clash.hpp"
@@ -85,6 +86,7 @@ Answer run_report(const Options& options, Sources& sources, Diagnostics& diagnos
   request.profile = question.profile;
   auto answers = answers_of(subject->model, question, request, answer.judged);
   if (!answers) return answer;
+  check_bounds_of_run(run, options.run_file, answers->documents.timing, answer.judged);
   answers->documents.run = std::move(run);
   answers->documents.against = std::move(against);
   const report::Contents contents{view_of(robot, forest, schedule), report::body_of(robot), subject->model,

@@ -14,5 +14,6 @@ inline constexpr Code undriven_plant{6012};      // wheels that drive nothing on
 inline constexpr Code bench_record{6013};        // a file without a whole record of a bench kit
 inline constexpr Code told_loop{6014};           // a loop turns more often than the sources say
 inline constexpr Code undeclared_traffic{6015};  // a bus carries more than its devices declare
+inline constexpr Code other_bounds{6016};        // a run was judged by other bounds than the robot has
 
 }  // namespace finemote::gen::code
