@@ -48,7 +48,9 @@ class ModelReader {
   void read_cause(FrameBudget& budget, const Value& v) {
     budget.cause = values_.one_of(v, "a budget", "cause", kCauseWords);
   }
-  void read_identifier(Transfer& transfer, const Value& v);
+  void read_identifier(Transfer& transfer, const Value& v) {
+    transfer.identifier = values_.integer(v, "identifier", 0);
+  }
   void read_clock(Model& model, const Value& v);
   void read_costs(Model& model, const Value& v);
   void read_flush(Model& model, const Value& v);
@@ -343,10 +345,6 @@ void ModelReader::read_transfer(Device& device, const Value& v) {
 
 void ModelReader::read_transfer_bus(Transfer& transfer, const Value& v) {
   if (const auto found = find_bus(values_.text(v, "a transfer", "bus"), v)) transfer.bus = *found;
-}
-
-void ModelReader::read_identifier(Transfer& transfer, const Value& v) {
-  transfer.identifier = values_.integer(v, "identifier", 0);
 }
 
 void ModelReader::read_clock(Model& model, const Value& v) {

@@ -198,7 +198,8 @@ std::optional<Duration> TransferBounds::wait(const Item& own) const {
   const auto wait = least_wait(own, begin + before_last, own.period, true);
   // The slot must be free again before it is filled the next time. That of a part that sends by itself, and the mailbox
   // of a controller that arbitrates, are free when the frame has left the wire, whenever it is served.
-  if (!wait || *wait + own.frame() + own.jitter > own.period) return std::nullopt;
+  const Duration last = own.is_split ? Duration::zero() : own.frame();  // else it is in the wait
+  if (!wait || *wait + last + own.jitter > own.period) return std::nullopt;
   return *wait - before_last;
 }
 
