@@ -8,7 +8,6 @@
 #include "generator/model/build.hpp"
 #include "generator/model/firmware_inputs.hpp"
 #include "generator/tasks/remodel.hpp"
-#include "generator/timing_file/inputs_hash.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -38,7 +37,7 @@ void take_timing_file(const Input& input, PlannedRobot& planned, Sources& source
   const auto file = read_timing_file(path, sources, diagnostics);
   if (!file) return;
   const TimingQuestion question{input.path, argument_words(input), input.board,
-                                timing_hash_of(planned, input.data_dir, sources.access())};
+                                timing_state_of(planned, input.data_dir, sources.access()).hash};
   planned.timing_file = {use_timing_file(*file, question, planned.robot, diagnostics), file->at, path, file->compiler};
 }
 
@@ -72,13 +71,13 @@ CommandFrames command_frames(const PlannedRobot& planned, const std::string& dat
   return frames;
 }
 
-std::string timing_hash_of(const PlannedRobot& planned, const std::string& data_dir, const files::Access& access) {
+TimingState timing_state_of(const PlannedRobot& planned, const std::string& data_dir, const files::Access& access) {
   Diagnostics said;  // by whoever writes the files
   const auto unknown = timing::robot_bounds(std::nullopt, planned.forest, planned.schedule);
   const auto generated = emit_files(planned, {unknown, unknown}, data_dir, said);
-  return timing_hash({generated, planned.robot.board->name, runs_code_in_sram(planned.robot) ? "sram" : "flash",
-                      data_dir, user_include_dirs(planned.robot)},
-                     access);
+  return timing_state({generated, planned.robot.board->name, runs_code_in_sram(planned.robot) ? "sram" : "flash",
+                       data_dir, user_include_dirs(planned.robot)},
+                      access);
 }
 
 Analysis analyse_robot(const PlannedRobot& planned, Hints hints) {

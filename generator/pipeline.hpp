@@ -16,6 +16,7 @@
 #include "generator/emit/render.hpp"
 #include "generator/input/input.hpp"
 #include "generator/timing/analyse.hpp"
+#include "generator/timing_file/inputs_hash.hpp"
 #include "generator/timing_file/use.hpp"
 
 namespace finemote::gen {
@@ -39,8 +40,8 @@ std::optional<PlannedRobot> plan_robot(const Input& input, Sources& sources, Dia
 CommandFrames command_frames(const PlannedRobot& planned, const std::string& data_dir);
 
 /// What the instructions of the robot's image are made from, its generated files without bounds included:
-/// timing_hash().
-std::string timing_hash_of(const PlannedRobot& planned, const std::string& data_dir, const files::Access& access);
+/// timing_state().
+TimingState timing_state_of(const PlannedRobot& planned, const std::string& data_dir, const files::Access& access);
 
 /// What is proven of a robot, in its own profile `target`.
 struct Analysis {

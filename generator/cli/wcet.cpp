@@ -11,6 +11,7 @@
 #include "generator/image/constants.hpp"
 #include "generator/input/read_document.hpp"
 #include "generator/model/firmware_inputs.hpp"
+#include "generator/run/compiled_files.hpp"
 #include "generator/run/compiler.hpp"
 #include "generator/run/image_owner.hpp"
 #include "generator/run/project.hpp"
@@ -32,10 +33,15 @@ bool has_model(const Robot& robot, Diagnostics& diagnostics) {
   return false;
 }
 
-/// The image of --elf, or the one that is made of the generated sources.
-std::optional<std::string> image_of(const Options& options, const Project& project, Sources& sources,
-                                    Diagnostics& diagnostics) {
-  return options.elf.empty() ? make_image(project, sources, diagnostics) : std::optional(options.elf);
+/// Makes the image of the generated sources. Of all that is compiled a timing file has to show when it changes, and all
+/// has to be looked through for words that count.
+std::optional<std::string> own_image(const Project& project, const Robot& robot, const TimingState& state,
+                                     Sources& sources, Diagnostics& diagnostics) {
+  auto path = make_image(project, sources, diagnostics);
+  const auto compiled = path ? compiled_files(project.request, diagnostics) : std::nullopt;
+  const bool is_known = compiled && are_known(*compiled, state.user_files, diagnostics) &&
+                        are_known(*compiled, user_files(robot, sources.access()), diagnostics);
+  return is_known ? path : std::nullopt;
 }
 
 void report_unknown_row(const std::string& asked, Diagnostics& diagnostics) {
@@ -81,20 +87,22 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   const timing::RobotBounds unknown = timing::robot_bounds(std::nullopt, planned->forest, planned->schedule);
   auto files = emit_files(*planned, {unknown, unknown}, input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
-  const FirmwareRequest request = firmware_of(planned->robot, work.path(), input->data_dir);
+  FirmwareRequest request = firmware_of(planned->robot, work.path(), input->data_dir);
+  request.is_reproducible = true;
   WcetInputs inputs;
   inputs.clock_hz = planned->robot.board->cpu_hz;
   inputs.arguments = argument_words(*input);
   inputs.board = options.board;
+  const TimingState state = timing_state_of(*planned, input->data_dir, sources.access());
   if (options.elf.empty()) {
     inputs.compiler = compiler_for_board();
-    inputs.hash = timing_hash_of(*planned, input->data_dir, sources.access());
+    inputs.hash = state.hash;
   }
   const Project project =
       make_project(request, output_of(std::move(files), *planned, *input, sources), planned->robot, nullptr);
   Progress progress(options);
   if (options.elf.empty()) progress.say("compiling the firmware");
-  const auto path = image_of(options, project, sources, diagnostics);
+  const auto path = options.elf.empty() ? own_image(project, planned->robot, state, sources, diagnostics) : options.elf;
   const auto image = path ? read_image(*path, diagnostics) : std::nullopt;
   if (!image || (!options.elf.empty() && !is_image_of(planned->robot, planned->forest, *image, *path, diagnostics)))
     return no_answer();

@@ -15,5 +15,6 @@ inline constexpr Code bench_record{6013};        // a file without a whole recor
 inline constexpr Code told_loop{6014};           // a loop turns more often than the sources say
 inline constexpr Code undeclared_traffic{6015};  // a bus carries more than its devices declare
 inline constexpr Code other_bounds{6016};        // a run was judged by other bounds than the robot has
+inline constexpr Code hidden_include{6017};      // the compiler reads a file that a timing file would not depend on
 
 }  // namespace finemote::gen::code

@@ -101,6 +101,8 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
   finding.note("\n" + shortened(messages_of(result.output)));
   if (wants_heap(result.output))
     finding.hint("there is no heap: keep what std::vector, std::string or new would allocate in members of fixed size");
+  if (result.output.find("-Werror=date-time") != std::string::npos)
+    finding.hint("bounds are of one image, and one that holds the time of its compilation is another one each time");
   if (is_too_large_for_sram(result.output))
     finding.hint("with its code in flash, where it has more room: <param name=\"code\">flash</param> in <board>");
   return false;
@@ -166,6 +168,9 @@ std::string project_text(const FirmwareRequest& request) {
   std::ostringstream project;
   project << "cmake_minimum_required(VERSION 3.25)\n"
           << "project(firmware LANGUAGES CXX" << (request.for_host ? "" : " ASM") << ")\n"
+          << fmt::format("file(WRITE ${{CMAKE_BINARY_DIR}}/{} \"${{CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES}}\")\n",
+                         kCompilerFolders)
+          << (request.is_reproducible ? "add_compile_options(-Werror=date-time)\n" : "")
           << fmt::format("include([==[{}/cmake/FinemoteFirmware.cmake]==])\n",
                          fs::absolute(request.data_dir).generic_string())
           << "finemote_add_firmware(" << request.name << " GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD "

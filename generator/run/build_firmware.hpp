@@ -20,11 +20,15 @@ struct FirmwareRequest {
   Duration duration;              ///< the run ends by itself; 0: never
   std::uint32_t stack = 0;        ///< bytes to reserve; 0: as many as the board does
   bool code_in_sram = false;      ///< for a board that can: its param `code`
+  bool is_reproducible = false;   ///< what says when it was compiled does not compile
   bool trace = false;
   bool monitor = false;
   std::vector<std::string> include_dirs;  ///< of the user's own device types
   std::vector<std::string> sources;       ///< and their sources
 };
+
+/// In the build folder: where the compiler has headers of its own, with `;` between them.
+inline constexpr const char* kCompilerFolders = "compiler_folders.txt";
 
 /// Words of a CMake list: each path absolute, in brackets that nothing in it ends.
 std::string cmake_words(const std::vector<std::string>& paths);

@@ -37,11 +37,19 @@ bool measures_pins(const gen::Device& device) {
                      [](const Use& use) { return measured_pin(use) != nullptr; });
 }
 
-/// What a part sends, and what a converter measures, goes into the state that others see some time after it was so.
+/// An edge is of the past when it is read, as is what a converter measured.
+bool reads_past_of_pins(const gen::Device& device) {
+  return std::any_of(device.uses.begin(), device.uses.end(), [](const Use& use) {
+    return measured_pin(use) != nullptr || (use.spec->function == "interrupt" && use.named != nullptr);
+  });
+}
+
+/// What a part sends, what a converter measured, and when an edge came, goes into the state that others see some time
+/// after it was so.
 bool has_no_acquisition(const gen::Device& device) {
   const DeviceType& type = *device.type;
   const std::vector<Frame> frames = type.frames.value_or(std::vector<Frame>());
-  const bool is_late = std::any_of(frames.begin(), frames.end(), brings) || measures_pins(device);
+  const bool is_late = std::any_of(frames.begin(), frames.end(), brings) || reads_past_of_pins(device);
   return !type.acquisition && !type.provides.empty() && is_late;
 }
 

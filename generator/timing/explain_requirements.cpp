@@ -208,11 +208,12 @@ void add_remedies(const Timing& timing, std::size_t index, Trials& trials, Diagn
     if (r.fraction) return *r.fraction;
     return r.value ? static_cast<double>(r.value->ns()) : std::numeric_limits<double>::infinity();
   };
-  const double max = now.fraction ? now.requirement.max_fraction : static_cast<double>(now.requirement.max.ns());
+  const bool is_share = now.requirement.kind == Requirement::Kind::utilization;
+  const double max = is_share ? now.requirement.max_fraction : static_cast<double>(now.requirement.max.ns());
   for (const Remedy& remedy :
        trials.find(RequirementFamilies(timing, now).list(), {value_of, max, now.chain.has_value()})) {
-    const std::string value = now.fraction ? percent_text(remedy.value)
-                                           : readable_duration(nanoseconds(static_cast<std::int64_t>(remedy.value)));
+    const std::string value =
+        is_share ? percent_text(remedy.value) : readable_duration(nanoseconds(static_cast<std::int64_t>(remedy.value)));
     finding.hint(fmt::format("{} brings it to {}{}", remedy.proposal.text, value,
                              remedy.enough ? "" : ", which is not enough alone"));
   }

@@ -195,7 +195,7 @@ std::string_view kind_name(Requirement::Kind kind) {
 
 /// How far the value may still rise; below zero: by how much it is too large.
 Json slack_json(const RequirementResult& r) {
-  if (r.requirement.kind == Requirement::Kind::utilization) return r.requirement.max_fraction - *r.fraction;
+  if (r.fraction) return r.requirement.max_fraction - *r.fraction;
   return r.value ? Json((r.requirement.max - *r.value).ns()) : Json(nullptr);
 }
 

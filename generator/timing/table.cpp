@@ -7,6 +7,7 @@
 
 #include "generator/timing/assumptions.hpp"
 #include "generator/timing/cost_labels.hpp"
+#include "generator/timing/shares.hpp"
 #include "generator/timing/text_table.hpp"
 #include "generator/timing/words.hpp"
 #include "generator/units/units.hpp"
@@ -159,7 +160,9 @@ std::string buses(const Timing& timing) {
   for (const BusPlace b : timing.model.buses.ids()) {
     const Bus& bus = timing.model.buses[b];
     if (bus.is_pins) continue;
-    table.row({bus.name, duration_text(bus.wcet), duration_text(bus.frame), percent(timing.bus_loads[b].utilization)});
+    const bool is_known = undeclared_text(timing.model, b).empty();
+    table.row({bus.name, duration_text(bus.wcet), duration_text(bus.frame),
+               is_known ? percent(timing.bus_loads[b].utilization) : "-"});
   }
   return "\nbuses\n" + table.text();
 }
@@ -168,9 +171,9 @@ std::string requirements(const Timing& timing) {
   if (timing.requirements.empty()) return {};
   TextTable table({"requirement", "at most", "bound", ""});
   for (const RequirementResult& r : timing.requirements) {
-    const bool share = r.fraction.has_value();
-    table.row({r.requirement.text, share ? percent(r.requirement.max_fraction) : duration_text(r.requirement.max),
-               share ? percent(*r.fraction) : duration_text(r.value), r.ok ? "holds" : "fails"});
+    const bool is_share = r.requirement.kind == Requirement::Kind::utilization;
+    table.row({r.requirement.text, is_share ? percent(r.requirement.max_fraction) : duration_text(r.requirement.max),
+               r.fraction ? percent(*r.fraction) : duration_text(r.value), r.ok ? "holds" : "fails"});
   }
   return "\nrequirements\n" + table.text();
 }

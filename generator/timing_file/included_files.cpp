@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <optional>
+#include <map>
 #include <set>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "generator/output/manifest.hpp"
-#include "generator/timing_file/logical_lines.hpp"
+#include "generator/timing_file/directives.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -24,79 +23,21 @@ constexpr unsigned kMostLevels = 8;
 /// Of a file: what is larger is data, and no source.
 constexpr std::size_t kMostBytes = std::size_t{8} << 20;
 
-void skip_spaces(std::string_view& line) {
-  const std::size_t first = line.find_first_not_of(" \t");
-  line.remove_prefix(first == std::string_view::npos ? line.size() : first);
-}
-
-bool skip(std::string_view& line, std::string_view word) {
-  skip_spaces(line);
-  if (line.substr(0, word.size()) != word) return false;
-  line.remove_prefix(word.size());
-  return true;
-}
-
-struct Name {
-  std::string text;        ///< empty: of any file, for nothing here tells which
-  bool is_quoted = false;  ///< else it is in brackets, and is not looked for beside the file
-};
-
-/// The name that `text` begins with, in quotes or brackets.
-std::optional<Name> quoted_name(std::string_view text, bool is_macro = false) {
-  skip_spaces(text);
-  if (text.empty() || (text.front() != '"' && text.front() != '<')) return std::nullopt;
-  const bool is_quoted = text.front() == '"';
-  const std::size_t end = text.find(is_quoted ? '"' : '>', 1);
-  if (end == std::string_view::npos || end == 1) return std::nullopt;
-  return Name{std::string(text.substr(1, end - 1)), is_quoted || is_macro};
-}
-
-/// What a condition asks for, of which the file depends whether it is there and what is in it.
-void add_asked_for(std::string_view condition, std::vector<Name>& names) {
-  constexpr std::string_view kAsks = "__has_include";
-  for (std::size_t at = condition.find(kAsks); at != std::string_view::npos; at = condition.find(kAsks, at + 1)) {
-    const std::size_t open = condition.find('(', at);
-    if (open == std::string_view::npos) return;
-    if (auto name = quoted_name(condition.substr(open + 1))) names.push_back(std::move(*name));
-  }
-}
-
-/// The names that a line `#include`s or asks for, or that it gives to a macro, which another line may include.
-void add_names_in(std::string_view line, std::vector<Name>& names) {
-  if (!skip(line, "#") && !skip(line, "%:")) return;
-  const bool is_macro = skip(line, "define");
-  if (is_macro) {
-    skip_spaces(line);
-    line.remove_prefix(std::min(line.find_first_of(" \t"), line.size()));
-  } else if (!skip(line, "include_next") && !skip(line, "include") && !skip(line, "import")) {
-    return add_asked_for(line, names);
-  }
-  if (auto name = quoted_name(line, is_macro)) {
-    names.push_back(std::move(*name));
-  } else if (!is_macro && line.find('(') != std::string_view::npos) {
-    names.emplace_back();  // what a macro makes of its arguments
-  }
-}
-
-/// Whether an assembler reads further files.
-bool reads_by_assembler(std::string_view text) {
-  return text.find(".incbin") != std::string_view::npos || text.find(".include") != std::string_view::npos;
-}
-
-std::vector<Name> names_in(const std::string& text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  std::vector<Name> names;
-  std::istringstream lines(logical_lines(text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text));
-  for (std::string line; std::getline(lines, line);) add_names_in(line, names);
-  if (reads_by_assembler(text)) names.emplace_back();
-  return names;
-}
-
-/// What FineMote writes where it is asked to: a timing file cannot be an input of itself.
+/// What FineMote writes where it is asked to.
 bool is_result(const fs::path& file) {
   const std::string ending = file.extension().string();
   return ending == ".json" || ending == ".html" || ending == ".svg";
 }
+
+/// A timing file cannot be an input of itself.
+bool is_timing_file(const fs::path& file) {
+  constexpr std::string_view kEnding = ".timing.json";
+  const std::string name = file.filename().string();
+  return name.size() > kEnding.size() && name.substr(name.size() - kEnding.size()) == kEnding;
+}
+
+/// What may be read of all that lies in a folder.
+enum class Any { of_sources, of_assembler };
 
 class Search {
  public:
@@ -107,8 +48,30 @@ class Search {
 
   void look_through(const SourceText& source) {
     const fs::path by = source.path;  // finding may move `source`
-    for (const Name& name : names_in(source.text)) find(name, by);
+    const Directives found = directives_of(source.text);
+    for (const FileName& name : found.names) find(name, by);
+    for (const std::string& macro : found.computed) computed_.emplace_back(macro, by);
+    for (const auto& [macro, is_name] : found.macros) {
+      const auto [known, is_new] = macros_.try_emplace(macro, is_name);
+      if (!is_new) known->second = known->second && is_name;
+    }
+    if (found.is_read_by_assembler) take_all(by, Any::of_assembler);
   }
+
+  /// Files that others have under names of their own, and that are found before those.
+  void look_for_names_of(const SourceText& shipped) {
+    for (const FileName& name : directives_of(shipped.text).names) find(name, {});
+  }
+
+  /// What macros make names of, once all of them are known: theirs stands where they are defined, or it may be any.
+  void take_computed() {
+    for (const auto& [macro, by] : computed_) {
+      const auto known = macros_.find(macro);
+      if (known == macros_.end() || !known->second) take_all(by, Any::of_sources);
+    }
+    computed_.clear();
+  }
+
   [[nodiscard]] const std::vector<SourceText>& found() const { return found_; }
 
  private:
@@ -117,8 +80,9 @@ class Search {
     return fs::weakly_canonical(path, ignored).generic_string();
   }
 
-  void find(const Name& name, const fs::path& by) {
-    if (name.text.empty()) return take_all(by);
+  void find(const FileName& name, const fs::path& by) {
+    const std::string folder_of = by.parent_path().generic_string();
+    if (!asked_.emplace(name.text, name.is_quoted ? folder_of : std::string()).second) return;
     if (name.is_quoted && !by.empty() && take(name.text, by.parent_path() / name.text)) return;
     for (const std::string& folder : folders_) {
       if (take(name.text, fs::path(folder) / name.text)) return;
@@ -126,13 +90,13 @@ class Search {
   }
 
   /// Every file beside the one that includes and in the folders, and below them.
-  void take_all(const fs::path& by) {
-    for (const std::string& folder : folders_) take_all_in(folder);
-    if (!by.empty()) take_all_in(by.parent_path());
+  void take_all(const fs::path& by, Any any) {
+    for (const std::string& folder : folders_) take_all_in(folder, any);
+    if (!by.empty()) take_all_in(by.parent_path(), any);
   }
 
-  void take_all_in(const fs::path& folder) {
-    if (looked_through_.insert(real(folder)).second) take_below(folder, {}, kMostLevels);
+  void take_all_in(const fs::path& folder, Any any) {
+    if (looked_through_.emplace(real(folder), any).second) take_below(folder, {}, any, kMostLevels);
   }
 
   /// Made of the sources, as is what is below it: generated files, a build, the history.
@@ -141,14 +105,15 @@ class Search {
     return folder.filename() == ".git" || has(kManifestName) || has("CMakeCache.txt");
   }
 
-  void take_below(const fs::path& folder, const fs::path& way, unsigned levels_left) {
+  void take_below(const fs::path& folder, const fs::path& way, Any any, unsigned levels_left) {
     files::Denial denial;
     for (const std::string& entry : access_.list((folder / way).string(), denial)) {
       const fs::path path = folder / way / entry;
       if (!access_.holds_folder(path.string())) {
-        if (!is_result(path)) take((way / entry).generic_string(), path);
+        if (any == Any::of_sources ? !is_result(path) : !is_timing_file(path))
+          take((way / entry).generic_string(), path);
       } else if (levels_left > 0 && !is_product(path)) {
-        take_below(folder, way / entry, levels_left - 1);
+        take_below(folder, way / entry, any, levels_left - 1);
       }
     }
   }
@@ -165,7 +130,11 @@ class Search {
 
   const std::vector<std::string>& folders_;
   const files::Access& access_;
-  std::set<std::string> seen_, looked_through_;
+  std::set<std::string> seen_;
+  std::set<std::pair<std::string, Any>> looked_through_;
+  std::set<std::pair<std::string, std::string>> asked_;  ///< names, and the folders of those who ask
+  std::vector<std::pair<std::string, fs::path>> computed_;
+  std::map<std::string, bool> macros_;
   std::vector<SourceText> found_;
 };
 
@@ -179,12 +148,16 @@ bool has_source_name(const std::string& name) {
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
-std::vector<SourceText> included_files(const std::vector<SourceText>& sources, const std::vector<std::string>& folders,
-                                       const files::Access& access) {
+std::vector<SourceText> included_files(const std::vector<SourceText>& sources, const std::vector<SourceText>& shipped,
+                                       const std::vector<std::string>& folders, const files::Access& access) {
   Search search(sources, folders, access);
+  for (const SourceText& source : shipped) search.look_for_names_of(source);
   for (const SourceText& source : sources) search.look_through(source);
-  for (std::size_t i = 0; i < search.found().size(); ++i) search.look_through(search.found()[i]);
-  return search.found();
+  for (std::size_t i = 0;; ++i) {
+    if (i == search.found().size()) search.take_computed();
+    if (i == search.found().size()) return search.found();
+    search.look_through(search.found()[i]);
+  }
 }
 
 }  // namespace finemote::gen

@@ -20,10 +20,11 @@ bool has_source_name(const std::string& name);
 /// What `sources` include, what that includes, and so on, each file once; `sources` themselves are not in it. A line
 /// that a compiler leaves out counts as well, for no `#if` is evaluated. What is found neither beside the file that
 /// includes it nor in `folders` belongs to the runtime or to the compiler. A macro that stands for a name counts as
-/// included. Where a macro with arguments makes the name, or an assembler includes, every file beside it, in `folders`
-/// and below them counts that neither FineMote nor a build has made.
+/// included. Where another macro makes the name, or an assembler includes, every file beside it, in `folders` and below
+/// them counts that neither FineMote nor a build has made.
+/// @param shipped  sources whose includes `folders` may have files for as well
 /// @param folders  what the compiler looks through, in this order
-std::vector<SourceText> included_files(const std::vector<SourceText>& sources, const std::vector<std::string>& folders,
-                                       const files::Access& access);
+std::vector<SourceText> included_files(const std::vector<SourceText>& sources, const std::vector<SourceText>& shipped,
+                                       const std::vector<std::string>& folders, const files::Access& access);
 
 }  // namespace finemote::gen

@@ -94,15 +94,19 @@ std::vector<SourceText> without_returns(std::vector<SourceText> sources) {
 
 }  // namespace
 
-std::string timing_hash(const TimingInputs& inputs, const files::Access& access) {
+TimingState timing_state(const TimingInputs& inputs, const files::Access& access) {
   List list;
   const CostModel model = cost_model();
   list.add("model", model.name + " " + std::to_string(model.version));
   list.add("board", inputs.board + " " + inputs.placement);
   for (const OutputFile& file : inputs.generated) list.add(file.name, without_sources(file.text));
-  list.add(shipped_sources(inputs));
-  list.add(without_returns(user_code(inputs.generated, inputs.user_folders, access)));
-  return list.digest();
+  const std::vector<SourceText> shipped = shipped_sources(inputs);
+  list.add(shipped);
+  const std::vector<SourceText> user = user_code(inputs.generated, shipped, inputs.user_folders, access);
+  list.add(without_returns(user));
+  TimingState state{list.digest(), {}};
+  for (const SourceText& source : user) state.user_files.push_back(source.path);
+  return state;
 }
 
 }  // namespace finemote::gen

@@ -17,10 +17,16 @@ struct TimingInputs {
   std::vector<std::string> user_folders;     ///< of the robot's own device types
 };
 
-/// SHA-256 of the cost model, the board, the generated sources without the names of the files they were made from, the
-/// runtime, the user's sources, what these include, and the compiler's options. The compiler is not in it: it stands
-/// beside.
+/// What execution times were computed from.
+struct TimingState {
+  std::string hash;
+  std::vector<std::string> user_files;  ///< paths of those that are in it
+};
+
+/// The hash: SHA-256 of the cost model, the board, the generated sources without the names of the files they were made
+/// from, the runtime, the user's sources, what these include, and the compiler's options. The compiler is not in it: it
+/// stands beside.
 /// @param access  to the user's folders
-std::string timing_hash(const TimingInputs& inputs, const files::Access& access);
+TimingState timing_state(const TimingInputs& inputs, const files::Access& access);
 
 }  // namespace finemote::gen

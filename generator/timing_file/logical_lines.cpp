@@ -11,7 +11,8 @@ std::string spliced(std::string_view text) {
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::string_view rest = text.substr(i);
-    const std::size_t skipped = rest.starts_with("\\\n") ? 2 : rest.starts_with("\\\r\n") ? 3 : 0;
+    const std::size_t end = text[i] == '\\' ? rest.find_first_not_of(" \t\f\v\r", 1) : std::string_view::npos;
+    const std::size_t skipped = end != std::string_view::npos && rest[end] == '\n' ? end + 1 : 0;
     if (skipped == 0)
       out += text[i];
     else
@@ -30,9 +31,23 @@ std::size_t end_of_literal(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
+bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+bool begins_number(std::string_view text, std::size_t at) {
+  return std::isdigit(static_cast<unsigned char>(text[at])) != 0 && (at == 0 || !is_of_word(text[at - 1]));
+}
+
+/// Behind a number, whose digits a quote may separate.
+std::size_t end_of_number(std::string_view text, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < text.size() && (is_of_word(text[end]) || text[end] == '.' ||
+                               (text[end] == '\'' && end + 1 < text.size() && is_of_word(text[end + 1]))))
+    ++end;
+  return end;
+}
+
 /// Whether the quote at `at` begins a raw string: `R"`, `u8R"` and the like.
 bool is_raw(std::string_view text, std::size_t at) {
-  const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   std::size_t begin = at;
   while (begin > 0 && is_of_word(text[begin - 1])) --begin;
   const std::string_view prefix = text.substr(begin, at - begin);
@@ -52,11 +67,20 @@ std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   return text[at] == '"' && is_raw(text, at) ? end_of_raw(text, at) : end_of_literal(text, at);
 }
 
+bool begins_comment(std::string_view text, std::size_t at) {
+  return text[at] == '/' && at + 1 < text.size() && (text[at + 1] == '/' || text[at + 1] == '*');
+}
+
 std::size_t end_of_comment(std::string_view text, std::size_t begin) {
   const bool is_line = text[begin + 1] == '/';
   const std::size_t end = text.find(is_line ? "\n" : "*/", begin + 2);
   if (end == std::string_view::npos) return text.size();
   return is_line ? end : end + 2;
+}
+
+std::size_t end_of_token(std::string_view text, std::size_t begin) {
+  if (text[begin] == '"' || text[begin] == '\'') return end_of_quoted(text, begin);
+  return begins_number(text, begin) ? end_of_number(text, begin) : begin + 1;
 }
 
 }  // namespace
@@ -65,9 +89,8 @@ std::string logical_lines(std::string_view text) {
   const std::string whole = spliced(text);
   std::string out;
   for (std::size_t i = 0; i < whole.size();) {
-    const bool is_comment = whole[i] == '/' && i + 1 < whole.size() && (whole[i + 1] == '/' || whole[i + 1] == '*');
-    const bool is_literal = whole[i] == '"' || whole[i] == '\'';
-    const std::size_t end = is_comment ? end_of_comment(whole, i) : is_literal ? end_of_quoted(whole, i) : i + 1;
+    const bool is_comment = begins_comment(whole, i);
+    const std::size_t end = is_comment ? end_of_comment(whole, i) : end_of_token(whole, i);
     out += is_comment ? " " : whole.substr(i, end - i);
     i = end;
   }

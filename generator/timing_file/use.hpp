@@ -14,7 +14,7 @@ struct TimingQuestion {
   std::string robot;                   ///< its file, for messages
   std::vector<std::string> arguments;  ///< `name:=value`, sorted
   std::string board;                   ///< that is asked for instead of the robot's own; empty: none
-  std::string hash;                    ///< timing_hash()
+  std::string hash;                    ///< timing_state()
 };
 
 /// What became of the timing file of a robot.

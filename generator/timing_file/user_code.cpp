@@ -34,14 +34,14 @@ std::vector<SourceText> user_texts(const Robot& robot, const files::Access& acce
   const std::vector<std::string> folders = user_include_dirs(robot);
   std::vector<SourceText> all;
   for (const std::string& folder : folders) append(all, sources_in(folder, access));
-  append(all, included_files(all, folders, access));
+  append(all, included_files(all, {}, folders, access));
   return all;
 }
 
 }  // namespace
 
-std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, const std::vector<std::string>& folders,
-                                  const files::Access& access) {
+std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, const std::vector<SourceText>& shipped,
+                                  const std::vector<std::string>& folders, const files::Access& access) {
   if (folders.empty()) return {};
   std::vector<SourceText> compiled;
   for (const std::string& folder : folders) {
@@ -51,7 +51,7 @@ std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, cons
   }
   std::vector<SourceText> including = compiled;
   for (const OutputFile& file : generated) including.push_back({file.name, "", file.text});
-  append(compiled, included_files(including, folders, access));
+  append(compiled, included_files(including, shipped, folders, access));
   return compiled;
 }
 

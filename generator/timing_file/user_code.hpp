@@ -11,10 +11,10 @@
 namespace finemote::gen {
 
 /// The sources that are compiled with the robot's files, every `.cpp` that lies in one of `folders`, and what these and
-/// the generated files include: each once, in an order that does not depend on where the folders lie. What cannot be
-/// read is left out.
-std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, const std::vector<std::string>& folders,
-                                  const files::Access& access);
+/// the generated files include, or `shipped` ones from there: each once, in an order that does not depend on where the
+/// folders lie. What cannot be read is left out.
+std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, const std::vector<SourceText>& shipped,
+                                  const std::vector<std::string>& folders, const files::Access& access);
 
 /// Paths of all that the compiler may read of the folders of a robot's own device types: every source and header that
 /// lies in them, and what these include, whatever it is called.

@@ -175,7 +175,14 @@ TEST_CASE("a file is an input of a timing file however its name stands in the di
         "inline const char* words = R\"x(say \"a/*\")x\";\n#include \"body.inc\"",
         "#define TEXT(x) #x\n#define TABLE(name) TEXT(name.inc)\n#include TABLE(body)",
         "#define TEXT(x) #x\n#define TABLE(name) TEXT(../devices/name.inc)\n#include TABLE(body)",
-        "inline const char* words = \".incbin\";"}) {
+        "inline const char* words = \".incbin\";",
+        "#define TEXT_OF(x) #x\n#define TEXT(x) TEXT_OF(x)\n"
+        "#define TABLE TEXT(body.inc)\n#include TABLE",
+        "#define TABLE\"body.inc\"\n#include TABLE",
+        "#define IS_THERE(x) __has_include(x)\n#if IS_THERE(\"body.inc\")\n#endif",
+        "#ifdef __has_include\n#define OWN __has_include\n#if OWN(\"body.inc\")\n#endif\n#endif",
+        "inline constexpr int many = 10'000 + '\"' - 0x1'0;\n#include \"body.inc\"", "#include \\ \n\"body.inc\"",
+        "#include\f\"body.inc\"", "inline void none() { asm(\".if 0\\n.inc\" \"bin \\\"body.inc\\\"\\n.endif\"); }"}) {
     CAPTURE(directive);
     write_file(one.path("devices/counter.hpp"), std::string(directive) + "\n" + source);
     write_file(one.path("devices/body.inc"), "// one\n");
@@ -183,6 +190,12 @@ TEST_CASE("a file is an input of a timing file however its name stands in the di
     write_file(one.path("devices/body.inc"), "// two\n");
     CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
   }
+}
+
+TEST_CASE("a file that stands in for a header of finemote makes a timing file stale") {
+  const OneRobot one;
+  write_file(one.path("devices/finemote/schedule.hpp"), "#include_next <finemote/schedule.hpp>\n");
+  CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
 }
 
 TEST_CASE("files are inputs of a timing file by what includes them, not by their names and places") {

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "catch.hpp"
+#include "generator/timing/json.hpp"
+#include "generator/timing/table.hpp"
 #include "timing_robots.hpp"
 
 using namespace finemote::gen::timing;
@@ -125,6 +127,16 @@ TEST_CASE("what a converter measured is as old as nobody knows where no type say
   CHECK(model->devices[robot["own"]].unknown_age == UnknownAge::shared_converter);
 }
 
+TEST_CASE("the last edge of a pin is as old as nobody knows where no type says it") {
+  const auto age_of = [](const std::string& type) {
+    const Robots robot =
+        Robots::with(R"(<device name="own" type=)" + type + R"(><use role="line" pin="key"/></device>)");
+    return robot.model.devices[finemote::gen::Rank{0}].unknown_age;
+  };
+  CHECK(age_of(R"("edge_of_any_age" period="5ms")") == UnknownAge::no_acquisition);
+  CHECK(age_of(R"("key" period="5ms")") == UnknownAge::none);
+}
+
 TEST_CASE("nobody knows the load of a bus over which somebody may send anything") {
   Requirement requirement;
   requirement.kind = Requirement::Kind::utilization;
@@ -135,4 +147,13 @@ TEST_CASE("nobody knows the load of a bus over which somebody may send anything"
   const Timing timing = timing_of(kCan, R"(type="silent_on_can" id="3")", {requirement});
   CHECK_FALSE(timing.requirements.front().ok);
   CHECK_FALSE(timing.requirements.front().fraction);
+  const std::string table = timing_table(timing);
+  const auto ends_with = [](const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+  };
+  const std::string buses = table.substr(table.find("\nbuses\n")), requirements = buses.substr(buses.find("\nreq"));
+  CHECK(requirements.find("90.0 %") != std::string::npos);
+  CHECK(requirements.find(" ns") == std::string::npos);
+  CHECK(ends_with(buses.substr(0, buses.find("\n\n")), "-"));
+  CHECK(timing_json(timing)["requirements"][0]["slack"].is_null());
 }
