@@ -136,6 +136,15 @@ bool WireAnalysis::is_in_the_way(Rank from) const {
   return false;
 }
 
+/// How long what has come may have waited when the next update() begins; none: for nobody knows how many of them.
+std::optional<Duration> WireAnalysis::left_over(Rank from) const {
+  const Device& device = model_.devices[from];
+  if (device.acquisition->taken_within == Duration::max()) return Duration::zero();
+  if (!profile_.responses.ok(profile_.set.bucket_of[from])) return std::nullopt;
+  const Duration response = profile_.responses.r_plus[from];
+  return response > device.acquisition->taken_within ? device.period + response : Duration::zero();
+}
+
 std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
   const Device& device = model_.devices[from];
   if (device.unknown_age != UnknownAge::none || !device.undeclared.empty()) return std::nullopt;
@@ -149,7 +158,8 @@ std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
       if (!bound) return std::nullopt;
       wire = std::max(wire, *bound + dated_early(model_, device.transfers[t].bus));
     }
-    return a.fixed + a.interval + wire + profile_.set.blocking;
+    const auto wait = left_over(from);
+    return wait ? std::optional(a.fixed + a.interval + wire + profile_.set.blocking + *wait) : std::nullopt;
   }
   const std::size_t w = profile_.set.bucket_of[from];
   if (!profile_.responses.ok(w) || is_in_the_way(from)) return std::nullopt;

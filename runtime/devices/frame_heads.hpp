@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "finemote/four_bytes.hpp"
+#include "finemote/least.hpp"
 #include "finemote/loop_bound.hpp"
 
 namespace finemote {
@@ -19,11 +20,9 @@ class FrameHeads {
 
   FrameHeads(const std::uint8_t* bytes, std::size_t size, std::uint8_t first, std::uint8_t second) {
     Search search{bytes, first * kOnes, second * kOnes};
-    for (std::size_t word = 0, left = size; word < kWords && left != 0; ++word) {
-      const std::size_t count = left < kBits ? left : kBits;
-      left -= count;
-      words_[word] = search.next(count) << (kBits - count);
-    }
+    const std::size_t whole = least(size, most) / kBits, rest = size % kBits;
+    for (std::size_t word = 0; word < whole; ++word) words_[word] = search.fours(kBits / 4);
+    if (rest != 0 && whole < kWords) words_[whole] = search.next(rest) << (kBits - rest);
     if (search.ends_with_first() && size != 0) last_ = size - 1;
   }
 
@@ -52,20 +51,29 @@ class FrameHeads {
 
     /// Which of the next bytes are the second of a head, the last one's bit lowest.
     std::uint32_t next(std::size_t count) {
-      std::uint32_t bits = 0;
-      for (std::size_t fours = count / 4; fours != 0; --fours) {
-        as_counted(fours);
-        const std::uint32_t four = four_bytes(bytes);
-        bits = bits << 4 | zeros((four ^ seconds) | ((four << 8 | before >> 24) ^ firsts));
-        before = four;
-        bytes += 4;
-      }
+      std::uint32_t bits = fours(count / 4);
       for (std::size_t rest = count % 4; rest != 0; --rest) {
         as_counted(rest);
         const std::uint32_t byte = *bytes++;
         bits = bits << 1 | (byte == (seconds & 0xFFU) && ends_with_first() ? 1U : 0U);
         before = byte << 24;
       }
+      return bits;
+    }
+    /// The same of four times as many.
+    std::uint32_t fours(std::size_t count) {
+      const std::uint8_t* from = bytes;
+      std::uint32_t last = before, bits = 0;
+      const std::uint32_t first = firsts, second = seconds;  // not read anew, as behind an access to bytes
+      for (; count != 0; --count) {
+        as_counted(count);
+        const std::uint32_t four = four_bytes(from);
+        bits = bits << 4 | zeros((four ^ second) | ((four << 8 | last >> 24) ^ first));
+        last = four;
+        from += 4;
+      }
+      bytes = from;
+      before = last;
       return bits;
     }
     [[nodiscard]] bool ends_with_first() const { return before >> 24 == (firsts & 0xFFU); }

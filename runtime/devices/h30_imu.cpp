@@ -1,5 +1,7 @@
 #include "finemote/devices/h30_imu.hpp"
 
+#include "finemote/four_bytes.hpp"
+#include "finemote/loop_bound.hpp"
 #include "frame_heads.hpp"
 #include "little_endian.hpp"
 
@@ -21,6 +23,23 @@ constexpr float kMicroDegree = 1.745329252e-8F;  ///< rad
 constexpr std::int32_t kMaxAcceleration = 160000000;
 constexpr std::int32_t kMaxRate = 2000000000;
 constexpr std::int32_t kMaxAngle = 180000000, kMaxPitch = 90000000;
+
+/// Of a frame, modulo 256 in the end.
+struct Sums {
+  std::uint32_t first = 0, second = 0;
+
+  [[gnu::always_inline]] void add(std::uint32_t byte) {
+    first += byte;
+    second += first;
+  }
+  /// The lowest byte is the first.
+  [[gnu::always_inline]] void add_four(std::uint32_t four) {
+    add(four & 0xFFU);
+    add(four >> 8 & 0xFFU);
+    add(four >> 16 & 0xFFU);
+    add(four >> 24);
+  }
+};
 
 bool within(std::int32_t value, std::int32_t limit) { return value >= -limit && value <= limit; }
 
@@ -68,7 +87,7 @@ void H30Imu::turn_state() {
 const std::uint8_t* H30Imu::look(std::size_t size) {
   const std::uint8_t* const begin = recent_.begin();
   const std::uint8_t* const end = recent_.room() + size;
-  const Found found = find(begin, static_cast<std::size_t>(end - begin));
+  const Found found = find(begin, recent_.kept() + size);
   if (found.last != nullptr && take(found.last)) {
     frames_ += found.frames;
     stamp(static_cast<std::size_t>(end - found.last), size_of(found.last, kMaxFrame));
@@ -138,14 +157,19 @@ void H30Imu::stamp(std::size_t since, std::size_t whole) {
 }
 
 bool H30Imu::sums_agree(const std::uint8_t* frame) {
-  std::uint32_t sum1 = 0, sum2 = 0;
-  const std::size_t end = kHeader + payload_of(frame);
-  std::size_t i = kNumberAt;
-  do {
-    sum1 += frame[i];
-    sum2 += sum1;
-  } while (++i < end);
-  return (sum1 & 0xFFU) == frame[end] && (sum2 & 0xFFU) == frame[end + 1];
+  const std::uint8_t* at = frame + kNumberAt;
+  const std::size_t count = kHeader - kNumberAt + payload_of(frame);
+  Sums sums;
+  for (std::size_t fours = count / 4; fours != 0; --fours) {
+    as_counted(fours);
+    sums.add_four(four_bytes(at));
+    at += 4;
+  }
+  for (std::size_t rest = count % 4; rest != 0; --rest) {
+    as_counted(rest);
+    sums.add(*at++);
+  }
+  return (sums.first & 0xFFU) == at[0] && (sums.second & 0xFFU) == at[1];
 }
 
 /// The last record of a type counts.

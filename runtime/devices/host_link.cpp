@@ -83,7 +83,7 @@ void HostLink::receive() {
 const std::uint8_t* HostLink::look(std::size_t size) {
   const std::uint8_t* const begin = recent_.begin();
   const std::uint8_t* const end = recent_.room() + size;
-  const auto count = static_cast<std::size_t>(end - begin);
+  const std::size_t count = recent_.kept() + size;
   Found found;
   const std::size_t decided = find(begin, count, found);
   if (found.foreign != nullptr) judge_foreign(found.foreign);

@@ -40,7 +40,7 @@ std::uint32_t Sbus::gaps() const { return uart_->counters().lost + uart_->counte
 // A whole frame waits for the silence behind it, which tells when it came, or for the first byte of the next one.
 void Sbus::look(std::size_t size) {
   const std::uint8_t* const begin = recent_.begin();
-  const auto count = static_cast<std::size_t>(recent_.room() - begin) + size;
+  const std::size_t count = recent_.kept() + size;
   const bool is_silent = uart_->idle();
   const std::uint8_t *last = nullptr, *good = nullptr;
   std::size_t at = 0, judged = 0;

@@ -22,8 +22,10 @@ class RecentBytes {
   [[nodiscard]] std::uint8_t* room() { return bytes_ + longest; }  ///< for Uart::kChunk bytes
 
   /// The first of those that were kept; room(): there are none.
-  [[nodiscard]] const std::uint8_t* begin() const {
-    return bytes_ + longest - (kept_ < longest ? kept_ : longest);  // never more, which only this line tells tools
+  [[nodiscard]] const std::uint8_t* begin() const { return bytes_ + longest - kept(); }
+  /// How many were kept.
+  [[nodiscard]] std::size_t kept() const {
+    return kept_ < longest ? kept_ : longest;  // never more, which only this line tells tools
   }
 
   /// Of `read` bytes in room() and those before them, the ones from `first` on are kept: `longest` at most.

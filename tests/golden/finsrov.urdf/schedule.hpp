@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 410.184 us of its release.
+/// a job ends within 326.217 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 954.319 us of its release.
+/// a job ends within 892.669 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{410184, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{903540, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{903540, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{903540, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{903540, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{903540, 31197939, 34988028};
-inline constexpr finemote::Bounds thruster_2{899274, 31196081, 34988028};
-inline constexpr finemote::Bounds thruster_3{897416, 31194223, 34990435};
-inline constexpr finemote::Bounds thruster_4{895558, 31192365, 34990435};
-inline constexpr finemote::Bounds thruster_5{893694, 31190501, 34990435};
-inline constexpr finemote::Bounds thruster_6{891842, 31188649, 34990436};
-inline constexpr finemote::Bounds thruster_7{889918, 31186587, 35005355};
-inline constexpr finemote::Bounds thruster_8{888060, 31184729, 35005356};
-inline constexpr finemote::Bounds rov{886202, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{326217, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{841824, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{841824, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{841824, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{841824, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{841824, 31136152, 34926241};
+inline constexpr finemote::Bounds thruster_2{839965, 31134294, 34926241};
+inline constexpr finemote::Bounds thruster_3{838041, 31132435, 34928647};
+inline constexpr finemote::Bounds thruster_4{836183, 31130511, 34928581};
+inline constexpr finemote::Bounds thruster_5{831978, 31128647, 34928581};
+inline constexpr finemote::Bounds thruster_6{830126, 31126795, 34928582};
+inline constexpr finemote::Bounds thruster_7{828268, 31122596, 34941364};
+inline constexpr finemote::Bounds thruster_8{826344, 31120738, 34941365};
+inline constexpr finemote::Bounds rov{824486, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV
