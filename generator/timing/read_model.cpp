@@ -45,12 +45,8 @@ class ModelReader {
   void read_after(Transfer& transfer, const Value& v) {
     transfer.after = values_.one_of(v, "a transfer", "after", kAfterWords);
   }
-  void read_cause(FrameBudget& budget, const Value& v) {
-    budget.cause = values_.one_of(v, "a budget", "cause", kCauseWords);
-  }
-  void read_identifier(Transfer& transfer, const Value& v) {
-    transfer.identifier = values_.integer(v, "identifier", 0);
-  }
+  void read_cause(FrameBudget& b, const Value& v) { b.cause = values_.one_of(v, "a budget", "cause", kCauseWords); }
+  void read_identifier(Transfer& t, const Value& v) { t.identifier = values_.integer(v, "identifier", 0); }
   void read_clock(Model& model, const Value& v);
   void read_costs(Model& model, const Value& v);
   void read_flush(Model& model, const Value& v);

@@ -15,7 +15,7 @@ constexpr std::string_view kBlanks = " \t\f\v\r";
 
 void skip_blanks(std::string_view& line) { line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size())); }
 
-bool is_of_word(char c) {
+bool is_of_identifier(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$' ||
          static_cast<unsigned char>(c) > 127;
 }
@@ -23,7 +23,7 @@ bool is_of_word(char c) {
 /// The identifier that `line` begins with, behind blanks; empty: none.
 std::string_view take_word(std::string_view& line) {
   skip_blanks(line);
-  const auto end = std::find_if_not(line.begin(), line.end(), is_of_word);
+  const auto end = std::find_if_not(line.begin(), line.end(), is_of_identifier);
   const std::string_view word = line.substr(0, static_cast<std::size_t>(end - line.begin()));
   line.remove_prefix(word.size());
   return word;
@@ -44,7 +44,7 @@ std::optional<FileName> take_name(std::string_view& line) {
 bool is_blank(std::string_view line) { return line.find_first_not_of(kBlanks) == std::string_view::npos; }
 
 /// What a source has of one logical line after the other.
-class Reader {
+class DirectiveReader {
  public:
   void read(std::string_view line) {
     skip_blanks(line);
@@ -150,7 +150,8 @@ void add_assembled(std::string_view text, std::string_view directive, Directives
 bool has_word(std::string_view text, std::string_view word) {
   for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    if ((at == 0 || !is_of_word(text[at - 1])) && (end == text.size() || !is_of_word(text[end]))) return true;
+    if ((at == 0 || !is_of_identifier(text[at - 1])) && (end == text.size() || !is_of_identifier(text[end])))
+      return true;
   }
   return false;
 }
@@ -165,7 +166,7 @@ Directives directives_of(std::string_view source) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (source.rfind(kByteOrderMark, 0) == 0) source.remove_prefix(kByteOrderMark.size());
   const std::string text = logical_lines(source);
-  Reader reader;
+  DirectiveReader reader;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) reader.read(line);
   const std::string joined = with_joined_literals(text);
