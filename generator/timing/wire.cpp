@@ -136,13 +136,21 @@ bool WireAnalysis::is_in_the_way(Rank from) const {
   return false;
 }
 
-/// How long what has come may have waited when the next update() begins; none: for nobody knows how many of them.
+/// How much older what update() publishes is for the frames it leaves to the next one, no more of them than come while
+/// it is late; none: nobody knows how late it can be.
 std::optional<Duration> WireAnalysis::left_over(Rank from) const {
   const Device& device = model_.devices[from];
-  if (device.acquisition->taken_within == Duration::max()) return Duration::zero();
+  const Acquisition& a = *device.acquisition;
+  if (a.taken_within == Duration::max()) return Duration::zero();
   if (!profile_.responses.ok(profile_.set.bucket_of[from])) return std::nullopt;
-  const Duration response = profile_.responses.r_plus[from];
-  return response > device.acquisition->taken_within ? device.period + response : Duration::zero();
+  const Duration response = profile_.responses.r_plus[from], late = response - a.taken_within;
+  if (late <= Duration::zero()) return Duration::zero();
+  std::int64_t left = 0;
+  for (const Transfer& t : device.transfers) {
+    if (t.after == Transfer::After::autonomous) left += ceil_div(late, std::max(t.min_interval, nanoseconds(1)));
+  }
+  const Duration longest = device.period + response;
+  return left > floor_div(longest, std::max(a.interval, nanoseconds(1))) ? longest : left * a.interval;
 }
 
 std::optional<Duration> WireAnalysis::acquisition(Rank from) const {

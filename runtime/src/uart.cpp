@@ -59,7 +59,7 @@ void Uart::start() {
 std::size_t Uart::read(std::uint8_t* out, std::size_t capacity) {
   const std::size_t allowed = least(left_, limits_.bytes);  // left_ is never more, which only this line tells tools
   const std::size_t size = take(out, least(capacity, allowed));
-  left_ = static_cast<std::uint16_t>(left_ - size);
+  left_ = static_cast<std::uint16_t>(allowed - size);
   if (size < capacity) {
     left_ = limits_.bytes;
     port_->allow_events(limits_.events);
@@ -69,6 +69,7 @@ std::size_t Uart::read(std::uint8_t* out, std::size_t capacity) {
 
 bool Uart::quiet() {
   read_ = port_->received();
+  left_ = kFirst;
   port_->allow_events(limits_.events);
   return !port_->transmitting();
 }
@@ -84,6 +85,10 @@ std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
   }
 
   std::uint32_t available = port_->received() - read_;
+  if (left_ == kFirst && available > limits_.bytes) {  // since long ago: what came last is enough to begin with
+    read_ += available - limits_.bytes;
+    available = limits_.bytes;
+  }
   if (available > ring_.size) {  // lapped: what is left is overwritten from its old end on, keep the newer half
     lose(available - ring_.size / 2);
     available = ring_.size / 2;

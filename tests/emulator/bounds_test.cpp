@@ -31,6 +31,7 @@ const Case kCases[] = {
     {"wide_values", "100ms", nullptr, nullptr, nullptr, 0},
     {"many_releases", "300ms", "every_30ms", "every_30ms", "decide", 2},
     {"two_frames", "600ms", "imu", "head", "decide", 4.25, {"--phases", "8", "--seed", "1"}},
+    {"late_look", "600ms", "imu", "load", "acquire", 1.5, {"--phases", "8", "--seed", "2", "--silicon", "strict"}},
     {"two_sbus_frames", "600ms", nullptr, nullptr, nullptr, 0},
     {"idle_line", "600ms", "remote", "remote", "acquire", 1.25},
     {"bring_up", "300ms", nullptr, nullptr, nullptr, 0},

@@ -68,8 +68,8 @@ class Uart {
   /// Most bytes that a read() with room for kChunk returns. Context: any.
   [[nodiscard]] std::size_t most_in_chunk() const { return limits_.bytes < kChunk ? limits_.bytes : kChunk; }
 
-  /// Drops what came so far: the first update() finds what comes from here on. True when nothing of ours is being sent.
-  /// Context: init, when no bucket runs.
+  /// Drops what came so far: the first update() finds what comes from here on, or the last of it that it may handle.
+  /// True when nothing of ours is being sent. Context: init, when no bucket runs.
   [[nodiscard]] bool quiet();
 
   /// Sends a block; false, and nothing is sent, while the last one is still under way or `size` is above capacity(). A
@@ -96,6 +96,8 @@ class Uart {
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 
  private:
+  static constexpr std::uint16_t kFirst = UINT16_MAX;
+
   [[nodiscard]] Duration longest_silence() const;
   [[nodiscard]] Time earliest(const UartIdle& point, std::uint32_t position) const;
   std::size_t take(std::uint8_t* out, std::size_t capacity);
@@ -107,7 +109,7 @@ class Uart {
   const std::int32_t baud_, bit_time_;  ///< bit/s, ns
   const UartFormat format_;
   const UartLimits limits_;
-  std::uint16_t left_;             ///< bytes that read() may still return in this update()
+  std::uint16_t left_;             ///< bytes that read() may still return in this update(); kFirst: in the first one
   std::uint32_t read_ = 0;         ///< bytes taken since start, modulo 2^32
   std::uint32_t line_errors_ = 0;  ///< seen so far
   UartIdle seen_, before_;         ///< when the line had brought what is read, and less than that

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 235958, finemote::kNothingToBound, nullptr},  // imu
-    {1, 517062, finemote::kNothingToBound, nullptr},  // depth
-    {1, 514362, finemote::kNothingToBound, nullptr},  // button
-    {1, 511530, 24040107, &station::servo.command},  // servo
-    {1, 506728, 24035239, &station::green_led.command},  // green_led
-    {1, 500622, 24029265, &station::blue_led.command},  // blue_led
-    {1, 494641, finemote::kNothingToBound, nullptr},  // station
+    {0, 235993, finemote::kNothingToBound, nullptr},  // imu
+    {1, 517061, finemote::kNothingToBound, nullptr},  // depth
+    {1, 514361, finemote::kNothingToBound, nullptr},  // button
+    {1, 511529, 24040071, &station::servo.command},  // servo
+    {1, 506727, 24035203, &station::green_led.command},  // green_led
+    {1, 500621, 24029229, &station::blue_led.command},  // blue_led
+    {1, 494640, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 326.217 us of its release.
+/// a job ends within 326.372 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 892.669 us of its release.
+/// a job ends within 892.931 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{326217, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{841824, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{841824, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{841824, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{841824, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{841824, 31136152, 34926241};
-inline constexpr finemote::Bounds thruster_2{839965, 31134294, 34926241};
-inline constexpr finemote::Bounds thruster_3{838041, 31132435, 34928647};
-inline constexpr finemote::Bounds thruster_4{836183, 31130511, 34928581};
-inline constexpr finemote::Bounds thruster_5{831978, 31128647, 34928581};
-inline constexpr finemote::Bounds thruster_6{830126, 31126795, 34928582};
-inline constexpr finemote::Bounds thruster_7{828268, 31122596, 34941364};
-inline constexpr finemote::Bounds thruster_8{826344, 31120738, 34941365};
-inline constexpr finemote::Bounds rov{824486, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{326372, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{842086, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{842086, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{842086, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{842086, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{842086, 31136414, 34926503};
+inline constexpr finemote::Bounds thruster_2{840228, 31134556, 34926503};
+inline constexpr finemote::Bounds thruster_3{838303, 31132697, 34928909};
+inline constexpr finemote::Bounds thruster_4{836445, 31130773, 34928843};
+inline constexpr finemote::Bounds thruster_5{832240, 31128909, 34928843};
+inline constexpr finemote::Bounds thruster_6{830388, 31127057, 34928844};
+inline constexpr finemote::Bounds thruster_7{828530, 31122858, 34941626};
+inline constexpr finemote::Bounds thruster_8{826606, 31121000, 34941627};
+inline constexpr finemote::Bounds rov{824748, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV
