@@ -133,6 +133,8 @@ class Search {
       case DW_TAG_class_type:
         return each_member(type, at,
                            [&](const Dwarf_Die& member, std::uint32_t place) { keep_parts(member, place, depth + 1); });
+      case DW_TAG_union_type:  // which of its parts it holds, and so where it ends, is not known
+        return;
       default:
         return keep(*constant_, at, size_of(&type));
     }

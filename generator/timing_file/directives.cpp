@@ -36,7 +36,7 @@ std::optional<FileName> take_name(std::string_view& line) {
   const bool is_quoted = line.front() == '"';
   const std::size_t end = line.find(is_quoted ? '"' : '>', 1);
   if (end == std::string_view::npos || end == 1) return std::nullopt;
-  FileName name{std::string(line.substr(1, end - 1)), is_quoted};
+  FileName name{std::string(line.substr(1, end - 1)), is_quoted, false};
   line.remove_prefix(end + 1);
   return name;
 }
@@ -57,7 +57,7 @@ class DirectiveReader {
     else if (word == "include" || word == "include_next" || word == "import")
       include(line);
     else if (word == "if" || word == "elif")
-      ask(line);
+      ask(line), found.asks_macro |= calls_macro(line);
   }
 
   Directives found;
@@ -74,11 +74,9 @@ class DirectiveReader {
     const std::string macro(take_word(line));
     const bool has_arguments = !line.empty() && line.front() == '(';
     ask(line);
-    auto name = has_arguments ? std::nullopt : take_name(line);
-    const bool is_name = name && is_blank(line);
-    if (name) found.names.push_back({name->text, true});  // the compiler looks beside the line that includes it
-    const auto [known, is_new] = found.macros.try_emplace(macro, is_name);
-    if (!is_new) known->second = known->second && is_name;
+    const auto name = has_arguments ? std::nullopt : take_name(line);
+    if (name) found.names.push_back({name->text, true, false});  // the compiler looks beside the line that includes it
+    found.macros[macro].insert(name && is_blank(line) ? name->text : std::string());
   }
 
   /// Which files are there changes the program, too.
@@ -90,6 +88,18 @@ class DirectiveReader {
       take_word(rest);
       if (!is_asked_whether_defined(condition.substr(0, at))) ask_for(rest);
     }
+  }
+
+  static bool calls_macro(std::string_view condition) {
+    for (std::size_t at = condition.find('('); at != std::string_view::npos; at = condition.find('(', at + 1)) {
+      std::string_view before = condition.substr(0, at);
+      while (!before.empty() && kBlanks.find(before.back()) != std::string_view::npos) before.remove_suffix(1);
+      std::size_t begin = before.size();
+      while (begin > 0 && is_of_identifier(before[begin - 1])) --begin;
+      const std::string_view word = before.substr(begin);
+      if (!word.empty() && word != "defined" && word.rfind("__has_", 0) != 0) return true;
+    }
+    return false;
   }
 
   static bool is_asked_whether_defined(std::string_view before) {
@@ -108,7 +118,7 @@ class DirectiveReader {
     if (auto name = take_name(operand))
       found.names.push_back(std::move(*name));
     else
-      found.computed.emplace_back();
+      found.asks_for_any = true;
   }
 
   void add_quoted(std::string_view line) {
@@ -143,7 +153,7 @@ void add_assembled(std::string_view text, std::string_view directive, Directives
     if (rest.rfind('\\', 0) == 0) rest.remove_prefix(1);
     if (rest.empty() || rest.front() != '"') continue;
     rest.remove_prefix(1);
-    found.names.push_back({std::string(rest.substr(0, rest.find_first_of("\\\"\n"))), true});
+    found.names.push_back({std::string(rest.substr(0, rest.find_first_of("\\\"\n"))), true, true});
   }
 }
 
@@ -169,6 +179,7 @@ Directives directives_of(std::string_view source) {
   DirectiveReader reader;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) reader.read(line);
+  reader.found.has_pasted = text.find("##") != std::string::npos || text.find("%:%:") != std::string::npos;
   const std::string joined = with_joined_literals(text);
   add_assembled(joined, ".incbin", reader.found);
   add_assembled(joined, ".include", reader.found);

@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 /// Files at most: somebody may include a file of another name in every file.
 constexpr std::size_t kMostFiles = 10'000;
 /// Folders in each other: a link may lead back.
-constexpr unsigned kMostLevels = 8;
+constexpr unsigned kMostLevels = 32;
 /// Of a file: what is larger is data, and no source.
-constexpr std::size_t kMostBytes = std::size_t{8} << 20;
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 
 /// What FineMote writes where it is asked to.
 bool is_result(const fs::path& file) {
@@ -36,8 +36,8 @@ bool is_timing_file(const fs::path& file) {
   return name.size() > kEnding.size() && name.substr(name.size() - kEnding.size()) == kEnding;
 }
 
-/// What may be read of all that lies in a folder.
-enum class Any { of_sources, of_assembler };
+/// What counts of all that lies in a folder.
+enum class Any { source, file, raw };
 
 class Search {
  public:
@@ -51,11 +51,11 @@ class Search {
     const Directives found = directives_of(source.text);
     for (const FileName& name : found.names) find(name, by);
     for (const std::string& macro : found.computed) computed_.emplace_back(macro, by);
-    for (const auto& [macro, is_name] : found.macros) {
-      const auto [known, is_new] = macros_.try_emplace(macro, is_name);
-      if (!is_new) known->second = known->second && is_name;
-    }
-    if (found.is_read_by_assembler) take_all(by, Any::of_assembler);
+    for (const auto& [macro, files] : found.macros) macros_[macro].insert(files.begin(), files.end());
+    has_pasted_ |= found.has_pasted;
+    if (found.asks_macro) askers_.push_back(by);
+    if (found.asks_for_any) take_all(by, Any::file);
+    if (found.is_read_by_assembler) take_all(by, Any::raw);
   }
 
   /// Files that others have under names of their own, and that are found before those.
@@ -63,16 +63,26 @@ class Search {
     for (const FileName& name : directives_of(shipped.text).names) find(name, {});
   }
 
-  /// What macros make names of, once all of them are known: theirs stands where they are defined, or it may be any.
+  /// What macros make names of, once all of them are known: what they say, beside the line that includes it, too, or it
+  /// may be any.
   void take_computed() {
-    for (const auto& [macro, by] : computed_) {
+    for (const auto& [macro, by] : std::exchange(computed_, {})) {
       const auto known = macros_.find(macro);
-      if (known == macros_.end() || !known->second) take_all(by, Any::of_sources);
+      if (known == macros_.end() || known->second.count({}) != 0) {
+        take_all(by, Any::source);
+        continue;
+      }
+      for (const std::string& file : known->second) find({file, true, false}, by);
     }
-    computed_.clear();
+    if (!has_pasted_) return;
+    for (const fs::path& by : std::exchange(askers_, {})) take_all(by, Any::file);  // as by __has_ ## include
   }
 
   [[nodiscard]] const std::vector<SourceText>& found() const { return found_; }
+  [[nodiscard]] std::vector<SourceText> result() {
+    for (SourceText& source : found_) source.is_raw = raw_.count(real(source.path)) != 0;
+    return std::move(found_);
+  }
 
  private:
   static std::string real(const fs::path& path) {
@@ -82,10 +92,11 @@ class Search {
 
   void find(const FileName& name, const fs::path& by) {
     const std::string folder_of = by.parent_path().generic_string();
-    if (!asked_.emplace(name.text, name.is_quoted ? folder_of : std::string()).second) return;
-    if (name.is_quoted && !by.empty() && take(name.text, by.parent_path() / name.text)) return;
+    const bool is_new = asked_.emplace(name.text, name.is_quoted ? folder_of : std::string()).second;
+    if (!is_new && !name.is_raw) return;
+    if (name.is_quoted && !by.empty() && take(name.text, by.parent_path() / name.text, name.is_raw)) return;
     for (const std::string& folder : folders_) {
-      if (take(name.text, fs::path(folder) / name.text)) return;
+      if (take(name.text, fs::path(folder) / name.text, name.is_raw)) return;
     }
   }
 
@@ -110,8 +121,8 @@ class Search {
     for (const std::string& entry : access_.list((folder / way).string(), denial)) {
       const fs::path path = folder / way / entry;
       if (!access_.holds_folder(path.string())) {
-        if (any == Any::of_sources ? !is_result(path) : !is_timing_file(path))
-          take((way / entry).generic_string(), path);
+        if (any == Any::source ? !is_result(path) : !is_timing_file(path))
+          take((way / entry).generic_string(), path, any == Any::raw);
       } else if (levels_left > 0 && !is_product(path)) {
         take_below(folder, way / entry, any, levels_left - 1);
       }
@@ -119,22 +130,30 @@ class Search {
   }
 
   /// False: there is no such file.
-  bool take(const std::string& name, const fs::path& path) {
+  bool take(const std::string& name, const fs::path& path, bool is_raw) {
     if (access_.why_not(path.string())) return false;
-    if (found_.size() == kMostFiles || !seen_.insert(real(path)).second) return true;
-    std::string text =
-        access_.read(path.string(), kMostBytes).value_or(std::string());  // empty: larger than any source
-    found_.push_back({name, path.string(), std::move(text)});
+    const std::string file = real(path);
+    if (is_raw) raw_.insert(file);
+    if (!seen_.insert(file).second) return true;
+    if (found_.size() == kMostFiles) {
+      found_.back().is_whole = false;
+      return true;
+    }
+    auto text = access_.read(path.string(), kMostBytes);
+    const bool is_whole = text.has_value();
+    found_.push_back({name, path.string(), std::move(text).value_or(std::string()), false, is_whole});
     return true;
   }
 
   const std::vector<std::string>& folders_;
   const files::Access& access_;
-  std::set<std::string> seen_;
+  std::set<std::string> seen_, raw_;
   std::set<std::pair<std::string, Any>> looked_through_;
   std::set<std::pair<std::string, std::string>> asked_;  ///< names, and the folders of those who ask
   std::vector<std::pair<std::string, fs::path>> computed_;
-  std::map<std::string, bool> macros_;
+  std::map<std::string, std::set<std::string>> macros_;
+  std::vector<fs::path> askers_;  ///< whose conditions have macros with arguments
+  bool has_pasted_ = false;
   std::vector<SourceText> found_;
 };
 
@@ -155,7 +174,7 @@ std::vector<SourceText> included_files(const std::vector<SourceText>& sources, c
   for (const SourceText& source : sources) search.look_through(source);
   for (std::size_t i = 0;; ++i) {
     if (i == search.found().size()) search.take_computed();
-    if (i == search.found().size()) return search.found();
+    if (i == search.found().size()) return search.result();
     search.look_through(search.found()[i]);
   }
 }

@@ -12,6 +12,8 @@ struct SourceText {
   std::string name;  ///< as the including line writes it
   std::string path;  ///< empty: of a generated file, beside which nothing is looked for
   std::string text;
+  bool is_raw = false;   ///< an assembler reads it, byte by byte
+  bool is_whole = true;  ///< false: it is larger than any source, and was not read
 };
 
 /// Whether a file is called as those that a compiler reads usually are.

@@ -86,8 +86,14 @@ std::vector<SourceText> shipped_sources(const TimingInputs& inputs) {
 /// As a checkout with other ends of lines has it.
 std::vector<SourceText> without_returns(std::vector<SourceText> sources) {
   for (SourceText& source : sources) {
-    std::string& text = source.text;
-    text.erase(std::remove(text.begin(), text.end(), '\r'), text.end());
+    if (source.is_raw) continue;
+    std::string text;
+    text.reserve(source.text.size());
+    for (std::size_t i = 0; i < source.text.size(); ++i) {
+      const bool is_of_end = source.text[i] == '\r' && i + 1 < source.text.size() && source.text[i + 1] == '\n';
+      if (!is_of_end) text += source.text[i];
+    }
+    source.text = std::move(text);
   }
   return sources;
 }
@@ -104,7 +110,8 @@ TimingState timing_state(const TimingInputs& inputs, const files::Access& access
   list.add(shipped);
   const std::vector<SourceText> user = user_code(inputs.generated, shipped, inputs.user_folders, access);
   list.add(without_returns(user));
-  TimingState state{list.digest(), {}};
+  const bool is_whole = std::all_of(user.begin(), user.end(), [](const SourceText& file) { return file.is_whole; });
+  TimingState state{is_whole ? list.digest() : std::string(), {}};
   for (const SourceText& source : user) state.user_files.push_back(source.path);
   return state;
 }

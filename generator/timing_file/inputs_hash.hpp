@@ -19,7 +19,7 @@ struct TimingInputs {
 
 /// What execution times were computed from.
 struct TimingState {
-  std::string hash;
+  std::string hash;                     ///< empty: a file is too large for it
   std::vector<std::string> user_files;  ///< paths of those that are in it
 };
 

@@ -60,7 +60,8 @@ std::string words_of(const std::vector<std::string>& arguments, const std::strin
 
 State state_of(const TimingFile& file, const TimingQuestion& question) {
   if (file.arguments != question.arguments || file.board != question.board) return State::other;
-  return file.model == cost_model() && file.hash == question.hash ? State::fits : State::stale;
+  const bool is_same = !file.hash.empty() && file.hash == question.hash;
+  return file.model == cost_model() && is_same ? State::fits : State::stale;
 }
 
 std::string why_stale(const TimingFile& file) {

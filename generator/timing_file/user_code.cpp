@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "generator/model/firmware_inputs.hpp"
+#include "generator/timing_file/directives.hpp"
+#include "generator/timing_file/logical_lines.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -65,8 +67,10 @@ std::vector<std::string> user_files(const Robot& robot, const files::Access& acc
 
 bool may_change_constants(const Robot& robot, const files::Access& access) {
   const std::vector<SourceText> all = user_texts(robot, access);
-  return std::any_of(all.begin(), all.end(),
-                     [](const SourceText& file) { return file.text.find("mutable") != std::string::npos; });
+  const auto says_so = [](const std::string& text) { return text.find("mutable") != std::string::npos; };
+  return std::any_of(all.begin(), all.end(), [&](const SourceText& file) {
+    return says_so(file.text) || says_so(logical_lines(file.text)) || directives_of(file.text).has_pasted;
+  });
 }
 
 }  // namespace finemote::gen

@@ -20,7 +20,8 @@ std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, cons
 /// lies in them, and what these include, whatever it is called.
 std::vector<std::string> user_files(const Robot& robot, const files::Access& access);
 
-/// Whether the word `mutable` is in one of them, wherever it stands: parts of constants may change, then.
+/// Whether the word `mutable` is in one of them, wherever it stands, or may be made of two: parts of constants may
+/// change, then.
 bool may_change_constants(const Robot& robot, const files::Access& access);
 
 }  // namespace finemote::gen

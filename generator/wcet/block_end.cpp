@@ -63,16 +63,27 @@ class Leaving {
   }
 
   /// What the last instruction, which returns, puts into the program counter.
-  Interval returned_to(const Machine& machine) const {
+  Way returned_to(const Machine& machine) const {
+    Way way{Way::Kind::leave, 0, machine};
     for (const Transferred& word : memory_use(end_.last, machine).words) {
-      if (word.reg == ARM_REG_PC) return machine.stack().load(word.access).anywhere();
+      if (word.reg != ARM_REG_PC) continue;
+      way.returned = machine.stack().load(word.access).anywhere();
+      way.is_made = !word.access.address.is_on_stack();
+      return way;
     }
-    return machine.get(ARM_REG_LR).anywhere();
+    return by_link(std::move(way));
+  }
+
+  static Way by_link(Way way) {
+    way.returned = way.machine.get(ARM_REG_LR).anywhere();
+    way.is_made = !way.machine.is_link_kept();
+    return way;
   }
 
   /// To the caller, or to behind a call of a part of this function, as far as is known.
   void leave(Machine machine) {
-    const Interval to = returned_to(machine);
+    Way way = returned_to(machine);
+    const Interval to = way.returned;
     execute(end_.last, end_.surroundings, machine);
     bool is_one = false;
     for (const FlowEdge& edge : end_.block.edges) {
@@ -80,7 +91,9 @@ class Leaving {
       step_.ways.push_back({Way::Kind::edge, edge.to, machine, end_.cost.jump(edge.to)});
       is_one = true;
     }
-    if (!is_one || !to.is_constant()) step_.ways.push_back({Way::Kind::leave, 0, std::move(machine)});
+    if (is_one && to.is_constant()) return;
+    way.machine = std::move(machine);
+    step_.ways.push_back(std::move(way));
   }
 
   void call(const Machine& machine, Cycles cost) {
@@ -96,7 +109,10 @@ class Leaving {
     }
     const bool is_jump = cost == 0;
     Way way{Way::Kind::call, *target & ~1U, machine, is_jump ? end_.cost.jump(*target & ~1U) : cost, call.is_tail};
-    if (!call.is_tail) way.behind = end_.block.edges.empty() ? 0 : end_.block.edges.front().to;
+    if (call.is_tail)
+      way = by_link(std::move(way));
+    else
+      way.behind = end_.block.edges.empty() ? 0 : end_.block.edges.front().to;
     step_.ways.push_back(std::move(way));
   }
 

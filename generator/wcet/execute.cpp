@@ -338,7 +338,10 @@ bool leaves_machine(unsigned id) {
 }
 
 void run(const Instruction& i, const Surroundings& surroundings, Machine& machine) {
-  if (i.id == ARM_INS_BL || i.id == ARM_INS_BLX) return machine.set(ARM_REG_LR, Value::of(i.end() | 1U));
+  if (i.id == ARM_INS_BL || i.id == ARM_INS_BLX) {
+    machine.set(ARM_REG_LR, Value::of(i.end() | 1U));
+    return machine.keep_link();
+  }
   const MemoryUse use = memory_use(i, machine);
   if (use.kind != MemoryUse::Kind::none) return access_memory(i, use, surroundings, machine);
   if (flag_setting(i, machine) || arithmetic(i, machine) || moves_and_fields(i, machine)) return;

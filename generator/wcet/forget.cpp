@@ -50,6 +50,7 @@ void forget(const Instruction& i, Machine& machine) {
   const bool is_made_of_stack = reads_stack_pointer(i) || std::any_of(read, i.operands.end(), [&](const cs_arm_op& op) {
                                   return is_of_stack(op, machine);
                                 });
+  if (i.id == ARM_INS_CLREX) machine.set_exclusive(true);
   for (const cs_arm_op& op : i.operands) {
     if (op.type != ARM_OP_REG) continue;
     if (may_write(i, op.reg)) machine.set(op.reg, Value::in(Interval::any(), is_made_of_stack));

@@ -40,6 +40,7 @@ struct Frame {
   std::map<std::uint32_t, std::size_t> passed;    // nodes of the last of them
   bool is_cut_by_mark = false;
   std::optional<std::size_t> unmarked;  // the wait whose own marks of loops do not count
+  Interval back;                        // what its caller put into the link register
 };
 
 /// What a try of a round changes, to be taken back behind it.

@@ -226,6 +226,7 @@ void Machine::set(int reg, Value value) {
   const auto i = index(reg);
   if (!i) return;
   registers_[*i] = value;
+  if (reg == ARM_REG_LR) is_link_kept_ = false;
   if (!flags_) return;
   if (flags_->left == reg) flags_->left = ARM_REG_INVALID;
   if (flags_->right == reg) flags_->right = ARM_REG_INVALID;
@@ -283,6 +284,8 @@ void Machine::join(const Machine& other) {
   stack_.join(other.stack_);
   has_escaped_ |= other.has_escaped_;
   is_stack_in_fpu_ |= other.is_stack_in_fpu_;
+  may_fail_exclusive_ |= other.may_fail_exclusive_;
+  is_link_kept_ &= other.is_link_kept_;
 }
 
 std::vector<std::uint32_t> Machine::bases() const {
@@ -316,6 +319,8 @@ void Machine::widen(const Machine& other) {
   stack_.widen(other.stack_, uses);
   has_escaped_ |= other.has_escaped_;
   is_stack_in_fpu_ |= other.is_stack_in_fpu_;
+  may_fail_exclusive_ |= other.may_fail_exclusive_;
+  is_link_kept_ &= other.is_link_kept_;
 }
 
 bool Machine::covers(const Machine& other) const {
@@ -325,7 +330,8 @@ bool Machine::covers(const Machine& other) const {
     if (!holds(registers_[i], other.registers_[i], uses)) return false;
   }
   return stack_.covers(other.stack_, uses) && (has_escaped_ || !other.has_escaped_) &&
-         (is_stack_in_fpu_ || !other.is_stack_in_fpu_);
+         (is_stack_in_fpu_ || !other.is_stack_in_fpu_) && (may_fail_exclusive_ || !other.may_fail_exclusive_) &&
+         (!is_link_kept_ || other.is_link_kept_);
 }
 
 }  // namespace finemote::gen::wcet

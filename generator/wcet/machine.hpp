@@ -111,7 +111,8 @@ class StackWords {
 class Machine {
  public:
   [[nodiscard]] Value get(int reg) const;
-  /// Forgets a comparison of the register's old value.
+  /// Forgets a comparison of the register's old value. What comes into the link register is taken for no address to
+  /// return to.
   void set(int reg, Value value);
   [[nodiscard]] static bool follows(int reg);
 
@@ -129,6 +130,12 @@ class Machine {
   /// A register of the FPU may hold an address in the stack, or a part of one.
   [[nodiscard]] bool is_stack_in_fpu() const { return is_stack_in_fpu_; }
   void put_stack_in_fpu() { is_stack_in_fpu_ = true; }
+  /// The link register has what a call put there, or what was kept of that in the stack.
+  [[nodiscard]] bool is_link_kept() const { return is_link_kept_; }
+  void keep_link() { is_link_kept_ = true; }
+  /// The last exclusive access may have been no load, so that an exclusive store may fail: ARMv7-M A3.4.1.
+  [[nodiscard]] bool may_fail_exclusive() const { return may_fail_exclusive_; }
+  void set_exclusive(bool may_fail) { may_fail_exclusive_ = may_fail; }
 
   /// Makes a base of every register of which only a range is known: what is made of it can be compared with it.
   void name_unknowns(Unknowns& unknowns);
@@ -154,6 +161,8 @@ class Machine {
   StackWords stack_;
   bool has_escaped_ = false;
   bool is_stack_in_fpu_ = false;
+  bool may_fail_exclusive_ = true;
+  bool is_link_kept_ = false;
 };
 
 }  // namespace finemote::gen::wcet

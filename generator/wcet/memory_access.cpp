@@ -1,5 +1,6 @@
 #include "generator/wcet/memory_access.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,13 @@ void store(const Transferred& word, const Surroundings& surroundings, Machine& m
   if (surroundings.stores != nullptr) note(word.access, value, *surroundings.stores);
 }
 
+/// It succeeds behind the load that belongs to it where no exception comes between the two (ARMv7-M A3.4.1): a
+/// repetition is part of what a preemption costs.
+void store_exclusive(const Instruction& i, Machine& machine) {
+  machine.set(i.operands[0].reg, machine.may_fail_exclusive() ? Value::in({0, 1}) : Value::of(0));
+  machine.set_exclusive(true);
+}
+
 }  // namespace
 
 void access_memory(const Instruction& i, const MemoryUse& use, const Surroundings& surroundings, Machine& machine) {
@@ -70,9 +78,13 @@ void access_memory(const Instruction& i, const MemoryUse& use, const Surrounding
   }
   if (use.base) machine.set(use.base->first, use.base->second);
   for (const auto& [reg, value] : loads) machine.set(reg, value);
-  // It succeeds where no exception comes between it and the load before (ARMv7-M A3.4.1): a repetition is part of what
-  // a preemption costs.
-  if (is_exclusive_store(i.id)) machine.set(i.operands[0].reg, Value::of(0));
+  const auto keeps_link = [](const Transferred& word) {
+    return word.reg == ARM_REG_LR && word.access.address.is_on_stack();
+  };
+  if (use.kind != MemoryUse::Kind::store && std::any_of(use.words.begin(), use.words.end(), keeps_link))
+    machine.keep_link();
+  if (is_exclusive_load(i.id)) machine.set_exclusive(false);
+  if (is_exclusive_store(i.id)) store_exclusive(i, machine);
 }
 
 }  // namespace finemote::gen::wcet

@@ -136,6 +136,8 @@ MemoryUse block_use(const Instruction& i, Kind kind, bool is_downwards, const Ma
 
 bool is_exclusive_store(unsigned id) { return id == ARM_INS_STREX || id == ARM_INS_STREXB || id == ARM_INS_STREXH; }
 
+bool is_exclusive_load(unsigned id) { return id == ARM_INS_LDREX || id == ARM_INS_LDREXB || id == ARM_INS_LDREXH; }
+
 Value operand(const Instruction& instruction, std::size_t i, const Machine& machine) {
   if (i >= instruction.operands.size()) return Value::in(Interval::any(), true);
   const cs_arm_op& op = instruction.operands[i];

@@ -28,6 +28,8 @@ struct MemoryUse {
 
 /// STREX, STREXB, STREXH: the first operand becomes whether it failed.
 bool is_exclusive_store(unsigned id);
+/// LDREX, LDREXB, LDREXH.
+bool is_exclusive_load(unsigned id);
 
 /// Of loads and stores of core and FPU registers; a register of the FPU with 8 bytes is two words.
 MemoryUse memory_use(const Instruction& instruction, const Machine& machine);

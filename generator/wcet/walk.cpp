@@ -13,6 +13,7 @@
 #include "generator/wcet/mark_passes.hpp"
 #include "generator/wcet/masking.hpp"
 #include "generator/wcet/presumed_return.hpp"
+#include "generator/wcet/repetition.hpp"
 #include "generator/wcet/step.hpp"
 
 namespace finemote::gen::wcet {
@@ -110,6 +111,7 @@ Machine at_entry(std::uint32_t stack_top) {
   for (int reg = ARM_REG_R0; reg <= ARM_REG_R12; ++reg) machine.set(reg, Value::in(Interval::any()));
   machine.set(ARM_REG_SP, Value::place(stack_top));
   machine.set(ARM_REG_LR, Value::in(kExceptionReturn));
+  machine.keep_link();
   return machine;
 }
 
@@ -205,7 +207,7 @@ class Walker {
     for (const std::uint32_t block : nest.irreducible())
       fail(block, &function, "a loop with more than one entry: write it as one loop");
     if (!nest.irreducible().empty()) return std::nullopt;
-    Frame frame{function, nest, {}, {}, {}, {}, false, {}};
+    Frame frame{function, nest, {}, {}, {}, {}, false, {}, arrival.machine.get(ARM_REG_LR).anywhere()};
     frame.arrivals[function.graph.entry] = std::move(arrival);
     go_through(frame, std::nullopt);
     for (const std::uint32_t block : left_over(frame)) {
@@ -235,7 +237,12 @@ class Walker {
     if (!waits.empty()) return wait(frame, index, waits);
     if (const auto reg = counter_of(frame, index, context_.marks)) return count_down(frame, index, *reg);
     const Loop& loop = frame.nest.loops()[index];
+    const std::size_t first = walked_.graph.nodes.size();
     const auto rounds = go_round(frame, index);
+    if (!frame.is_cut_by_mark && is_long_repetition(frame, index, walked_.graph, first))
+      fail(loop.header, &frame.function,
+           "an interrupt makes it turn once more, which takes too long: its work is to be "
+           "outside of LDREX and STREX");
     if (!rounds && !is_spent()) fail(loop.header, &frame.function, why_endless(frame.nest, index, context_.marks));
     note(frame, loop, rounds.value_or(0), walked_.loops);
   }
@@ -336,6 +343,8 @@ class Walker {
 
   void follow(Frame& frame, const BasicBlock& code, std::size_t node, Way way) {
     const std::vector<UnrolledEdge> here{{node, way.cost}};
+    if (!meet(way.returned, frame.back) || (way.is_made && way.returned != frame.back))
+      return fail(code.begin, &frame.function, "it does not return to where it was called from");
     switch (way.kind) {
       case Way::Kind::edge:
         return arrive(frame.arrivals[way.to], std::move(way.machine), here);
