@@ -170,19 +170,27 @@ TEST_CASE("a file is an input of a timing file however its name stands in the di
   const OneRobot one;
   const std::string source = read_file(one.path("devices/counter.hpp"));
   for (const char* directive :
-       {"#include /* which */ \"body.inc\"", "/* a comment\n over lines */ #include \"body.inc\"",
-        "%:include \"body.inc\"", "#inc\\\nlude \"body.inc\"", "#if defined(NO) || __has_include(\"body.inc\")\n#endif",
+       {"#include /* which */ \"body.inc\"",
+        "/* a comment\n over lines */ #include \"body.inc\"",
+        "%:include \"body.inc\"",
+        "#inc\\\nlude \"body.inc\"",
+        "#if defined(NO) || __has_include(\"body.inc\")\n#endif",
         "inline const char* words = R\"x(say \"a/*\")x\";\n#include \"body.inc\"",
         "#define TEXT(x) #x\n#define TABLE(name) TEXT(name.inc)\n#include TABLE(body)",
         "#define TEXT(x) #x\n#define TABLE(name) TEXT(../devices/name.inc)\n#include TABLE(body)",
+        "// nothing\r#include \"body.inc\"",
+        "#define TEXT(x) #x\n#if __has_include(TEXT(body.inc))\n#endif",
+        "#define PASTE(a, b) a##b\n#define ASK(x) PASTE(__has_, include)(x)\n#if ASK(\"body.inc\")\n#endif",
         "inline const char* words = \".incbin\";",
         "#define TEXT_OF(x) #x\n#define TEXT(x) TEXT_OF(x)\n"
         "#define TABLE TEXT(body.inc)\n#include TABLE",
         "#define TABLE\"body.inc\"\n#include TABLE",
         "#define IS_THERE(x) __has_include(x)\n#if IS_THERE(\"body.inc\")\n#endif",
         "#ifdef __has_include\n#define OWN __has_include\n#if OWN(\"body.inc\")\n#endif\n#endif",
-        "inline constexpr int many = 10'000 + '\"' - 0x1'0;\n#include \"body.inc\"", "#include \\ \n\"body.inc\"",
-        "#include\f\"body.inc\"", "inline void none() { asm(\".if 0\\n.inc\" \"bin \\\"body.inc\\\"\\n.endif\"); }"}) {
+        "inline constexpr int many = 10'000 + '\"' - 0x1'0;\n#include \"body.inc\"",
+        "#include \\ \n\"body.inc\"",
+        "#include\f\"body.inc\"",
+        "inline void none() { asm(\".if 0\\n.inc\" \"bin \\\"body.inc\\\"\\n.endif\"); }"}) {
     CAPTURE(directive);
     write_file(one.path("devices/counter.hpp"), std::string(directive) + "\n" + source);
     write_file(one.path("devices/body.inc"), "// one\n");
@@ -195,6 +203,29 @@ TEST_CASE("a file is an input of a timing file however its name stands in the di
 TEST_CASE("a file that stands in for a header of finemote makes a timing file stale") {
   const OneRobot one;
   write_file(one.path("devices/finemote/schedule.hpp"), "#include_next <finemote/schedule.hpp>\n");
+  CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
+}
+
+TEST_CASE("what an assembler reads is an input of a timing file byte by byte") {
+  const OneRobot one;
+  const std::string source = read_file(one.path("devices/counter.hpp"));
+  write_file(one.path("devices/counter.hpp"),
+             source + "inline void none() { asm(\".if 0\\n.incbin \\\"body.bin\\\"\\n.endif\"); }\n");
+  write_file(one.path("devices/body.bin"), "1\r\n2");
+  REQUIRE(run_finemote({"wcet", one.robot(), "-o", one.timing_file()}).exit_status == 0);
+  CHECK_FALSE(told_by({"analyze", one.robot()}).says("FM4022"));
+  write_file(one.path("devices/body.bin"), "1\n2");
+  CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
+}
+
+TEST_CASE("a name that a macro of another folder gives is looked for beside the line that includes it") {
+  const OneRobot one;
+  const std::string source = read_file(one.path("devices/counter.hpp"));
+  write_file(one.path("devices/counter.hpp"), "#include \"../common/names.hpp\"\n#include TABLE\n" + source);
+  write_file(one.path("common/names.hpp"), "#define TABLE \"table.inc\"\n");
+  write_file(one.path("devices/table.inc"), "// one\n");
+  REQUIRE(run_finemote({"wcet", one.robot(), "-o", one.timing_file()}).exit_status == 0);
+  write_file(one.path("devices/table.inc"), "// two\n");
   CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
 }
 
