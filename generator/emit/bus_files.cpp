@@ -131,7 +131,7 @@ Data bus_fields(const Plan& plan, BusId index) {
   data.set("has_ring", has_ring(bus));
   data.set("ring", std::to_string(receive_ring(plan.robot, index)));
   data.set("events", std::to_string(line_events(plan.robot, index)));
-  data.set("bytes", std::to_string(bytes_at_once(plan.robot, index)));
+  data.set("bytes", std::to_string(received_bytes(plan.robot, index)));
   data.set("starts", type.bus_class.starts);
   data.set("is_supervised", type.bus_class.supervised);
   data.set("is_sending", type.bus_class.supervised || has_ring(bus));

@@ -3,11 +3,9 @@
 #include <algorithm>
 
 #include "generator/bus/bus_type.hpp"
-#include "generator/model/connection.hpp"
 #include "generator/model/conversion.hpp"
 #include "generator/model/part_clock.hpp"
 #include "generator/model/sample_interval.hpp"
-#include "generator/model/streamed_frames.hpp"
 #include "generator/tasks/robot_costs.hpp"
 #include "generator/tasks/robot_flushes.hpp"
 #include "generator/tasks/streamed_work.hpp"
@@ -94,14 +92,6 @@ UnknownAge unknown_age(const Robot& robot, const gen::Device& device) {
   return may_find_slot_busy(robot, device) ? UnknownAge::busy_slot : UnknownAge::none;
 }
 
-/// On a serial line one update() handles so many bytes at most.
-bool is_limited(const Robot& robot, const gen::Device& device) {
-  const std::vector<Connection> connections = connections_of(device);
-  return std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
-    return bus_type(robot.segments[connection.segment].bus_kind).has_line_format;
-  });
-}
-
 /// As the board's clock counts it.
 std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device& device) {
   if (device.type == nullptr || !device.type->acquisition) return {};
@@ -110,7 +100,6 @@ std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device&
   result.fixed = longest_counted(robot, given.latency);
   if (given.model == gen::Acquisition::Model::streamed) {
     result.interval = longest_of_part(robot, device, sample_interval(device).value_or(Duration::zero()));
-    if (is_limited(robot, device)) result.taken_within = taken_within(robot, device);
   } else {
     result.periods = given.periods.value_or(1);
     result.every = given.published_every;

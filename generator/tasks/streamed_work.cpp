@@ -25,9 +25,9 @@ void shorten_streamed_work(const Robot& robot, const Forest& forest, Model& mode
   for (const Rank d : streamed) {
     if (!responses.ok(set.bucket_of[d])) continue;
     const gen::Device& device = robot.devices[forest.order[d]];
-    const std::int64_t waiting = frames_in(robot, device, device.period + responses.r_plus[d]);
-    const std::int64_t fewer = most_frames(robot, device) - waiting;
-    if (fewer > 0) model.devices[d].update_wcet -= fewer * device.wcet.per_frame;
+    const std::int64_t fewer =
+        most_frames(robot, device) - frames_in(robot, device, device.period + responses.r_plus[d]);
+    model.devices[d].update_wcet -= fewer * device.wcet.per_frame;
   }
 }
 

@@ -99,7 +99,6 @@ Json device_json(const Model& model, const Device& d) {
     add_if(a, "periods", d.acquisition->periods);
     if (d.acquisition->every != 1) a["every"] = d.acquisition->every;
     add_if(a, "conversion_ns", d.acquisition->conversion);
-    if (d.acquisition->taken_within < Duration::max()) a["taken_within_ns"] = d.acquisition->taken_within.ns();
     if (d.acquisition->assumed) a["assumed"] = true;
   }
   for (const Transfer& t : d.transfers) out["transfers"].push_back(transfer_json(model, t));

@@ -115,9 +115,7 @@ struct Acquisition {
   std::int64_t periods = 0;  ///< own periods from the begin of a measurement to the update that publishes it
   std::int64_t every = 1;    ///< one in this many measurements is published at least
   Duration conversion;       ///< longest conversion
-  /// While update() ends so soon after its release it leaves nothing of what an autonomous part has sent.
-  Duration taken_within = Duration::max();
-  bool assumed = false;  ///< not from a data sheet or a measurement
+  bool assumed = false;      ///< not from a data sheet or a measurement
 };
 
 struct Device {

@@ -45,8 +45,12 @@ class ModelReader {
   void read_after(Transfer& transfer, const Value& v) {
     transfer.after = values_.one_of(v, "a transfer", "after", kAfterWords);
   }
-  void read_cause(FrameBudget& b, const Value& v) { b.cause = values_.one_of(v, "a budget", "cause", kCauseWords); }
-  void read_identifier(Transfer& t, const Value& v) { t.identifier = values_.integer(v, "identifier", 0); }
+  void read_cause(FrameBudget& budget, const Value& v) {
+    budget.cause = values_.one_of(v, "a budget", "cause", kCauseWords);
+  }
+  void read_identifier(Transfer& transfer, const Value& v) {
+    transfer.identifier = values_.integer(v, "identifier", 0);
+  }
   void read_clock(Model& model, const Value& v);
   void read_costs(Model& model, const Value& v);
   void read_flush(Model& model, const Value& v);
@@ -136,13 +140,9 @@ struct ModelReader::Tables {
       {"undeclared", Need::target, Each<Device>{&ModelReader::read_undeclared}},
   };
   static constexpr Field<Acquisition> kAcquisition[] = {
-      {"fixed_ns", Need::target, &Acquisition::fixed},
-      {"interval_ns", Need::target, &Acquisition::interval},
-      {"periods", Need::target, &Acquisition::periods},
-      {"every", Need::target, &Acquisition::every, 1},
-      {"conversion_ns", Need::target, &Acquisition::conversion},
-      {"assumed", Need::target, &Acquisition::assumed},
-      {"taken_within_ns", Need::target, &Acquisition::taken_within},
+      {"fixed_ns", Need::target, &Acquisition::fixed},           {"interval_ns", Need::target, &Acquisition::interval},
+      {"periods", Need::target, &Acquisition::periods},          {"every", Need::target, &Acquisition::every, 1},
+      {"conversion_ns", Need::target, &Acquisition::conversion}, {"assumed", Need::target, &Acquisition::assumed},
   };
   static constexpr Field<Transfer> kTransfer[] = {
       {"bus", Need::required, Whole<Transfer>{&ModelReader::read_transfer_bus}},

@@ -136,23 +136,6 @@ bool WireAnalysis::is_in_the_way(Rank from) const {
   return false;
 }
 
-/// How much older what update() publishes is for the frames it leaves to the next one, no more of them than come while
-/// it is late; none: nobody knows how late it can be.
-std::optional<Duration> WireAnalysis::left_over(Rank from) const {
-  const Device& device = model_.devices[from];
-  const Acquisition& a = *device.acquisition;
-  if (a.taken_within == Duration::max()) return Duration::zero();
-  if (!profile_.responses.ok(profile_.set.bucket_of[from])) return std::nullopt;
-  const Duration response = profile_.responses.r_plus[from], late = response - a.taken_within;
-  if (late <= Duration::zero()) return Duration::zero();
-  std::int64_t left = 0;
-  for (const Transfer& t : device.transfers) {
-    if (t.after == Transfer::After::autonomous) left += ceil_div(late, std::max(t.min_interval, nanoseconds(1)));
-  }
-  const Duration longest = device.period + response;
-  return left > floor_div(longest, std::max(a.interval, nanoseconds(1))) ? longest : left * a.interval;
-}
-
 std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
   const Device& device = model_.devices[from];
   if (device.unknown_age != UnknownAge::none || !device.undeclared.empty()) return std::nullopt;
@@ -166,8 +149,7 @@ std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
       if (!bound) return std::nullopt;
       wire = std::max(wire, *bound + dated_early(model_, device.transfers[t].bus));
     }
-    const auto wait = left_over(from);
-    return wait ? std::optional(a.fixed + a.interval + wire + profile_.set.blocking + *wait) : std::nullopt;
+    return a.fixed + a.interval + wire + profile_.set.blocking;
   }
   const std::size_t w = profile_.set.bucket_of[from];
   if (!profile_.responses.ok(w) || is_in_the_way(from)) return std::nullopt;

@@ -26,7 +26,6 @@ class WireAnalysis {
 
  private:
   [[nodiscard]] bool is_in_the_way(Rank from) const;
-  [[nodiscard]] std::optional<Duration> left_over(Rank from) const;
   [[nodiscard]] std::optional<Duration> rest_of_job(Rank device) const;
   [[nodiscard]] std::optional<Duration> end_of_job(std::size_t bucket, Duration handles, Duration latest,
                                                    const std::function<Duration(Duration release)>& of) const;

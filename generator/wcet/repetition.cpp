@@ -71,6 +71,7 @@ Cycles longest_of(const Blocks& turn, const Frame& frame, std::uint32_t header, 
 }  // namespace
 
 bool is_long_repetition(const Frame& frame, std::size_t loop, const UnrolledGraph& graph, std::size_t first) {
+  if (frame.is_cut_by_mark) return false;
   const Loop& all = frame.nest.loops()[loop];
   return std::any_of(all.blocks.begin(), all.blocks.end(), [&](std::uint32_t begin) {
     if (frame.nest.around(begin) != loop) return false;

@@ -5,8 +5,12 @@
 
 namespace finemote::gen::wcet {
 
+inline constexpr const char* kLongRepetition =
+    "an interrupt makes it turn once more, which takes too long: its work is to be outside of LDREX and STREX";
+
 /// What is done again takes longer than the analysis charges the interrupt with: `preemption` in the chip's file. The
-/// loop, in which no other one has the store, was gone through by the nodes from `first` on.
+/// loop, in which no other one has the store, was gone through by the nodes from `first` on. Not so where a mark says
+/// how often it turns.
 bool is_long_repetition(const Frame& frame, std::size_t loop, const UnrolledGraph& graph, std::size_t first);
 
 }  // namespace finemote::gen::wcet

@@ -106,6 +106,13 @@ std::optional<std::pair<std::uint32_t, std::string>> refusal_of(const Frame& fra
   return {{*place, "interrupts are kept out, and what that delays has no bound"}};
 }
 
+constexpr const char* kElsewhere = "it does not return to where it was called from";
+
+/// Whether a way that leaves the function, if it does, leads to its caller.
+bool is_back(const Way& way, const Frame& frame) {
+  return way.is_made ? way.returned == frame.back : meet(way.returned, frame.back).has_value();
+}
+
 Machine at_entry(std::uint32_t stack_top) {
   Machine machine;
   for (int reg = ARM_REG_R0; reg <= ARM_REG_R12; ++reg) machine.set(reg, Value::in(Interval::any()));
@@ -224,10 +231,7 @@ class Walker {
       if (!arrival || is_spent()) continue;
       const auto inner = frame.nest.around(block);
       const bool is_inner_header = inner != loop && inner && frame.nest.loops()[*inner].header == block;
-      if (is_inner_header)
-        turn(frame, *inner);
-      else
-        visit(frame, block);
+      is_inner_header ? turn(frame, *inner) : visit(frame, block);
     }
   }
 
@@ -239,10 +243,7 @@ class Walker {
     const Loop& loop = frame.nest.loops()[index];
     const std::size_t first = walked_.graph.nodes.size();
     const auto rounds = go_round(frame, index);
-    if (!frame.is_cut_by_mark && is_long_repetition(frame, index, walked_.graph, first))
-      fail(loop.header, &frame.function,
-           "an interrupt makes it turn once more, which takes too long: its work is to be "
-           "outside of LDREX and STREX");
+    if (is_long_repetition(frame, index, walked_.graph, first)) fail(loop.header, &frame.function, kLongRepetition);
     if (!rounds && !is_spent()) fail(loop.header, &frame.function, why_endless(frame.nest, index, context_.marks));
     note(frame, loop, rounds.value_or(0), walked_.loops);
   }
@@ -343,8 +344,7 @@ class Walker {
 
   void follow(Frame& frame, const BasicBlock& code, std::size_t node, Way way) {
     const std::vector<UnrolledEdge> here{{node, way.cost}};
-    if (!meet(way.returned, frame.back) || (way.is_made && way.returned != frame.back))
-      return fail(code.begin, &frame.function, "it does not return to where it was called from");
+    if (!is_back(way, frame)) return fail(code.begin, &frame.function, kElsewhere);
     switch (way.kind) {
       case Way::Kind::edge:
         return arrive(frame.arrivals[way.to], std::move(way.machine), here);

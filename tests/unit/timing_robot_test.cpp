@@ -172,46 +172,6 @@ TEST_CASE("commands that go over a bus of a use take their time there, and answe
   CHECK(line_events(*robot.robot, BusId{0}) == 3);
 }
 
-TEST_CASE("one update() handles the frames of a period and a quarter, or what the line can bring") {
-  const auto bytes_of = [](const std::string& line, const std::string& device) {
-    const Robots robot = Robots::with("<bus name=\"line\" type=\"uart\" " + line + "/>" + device);
-    return std::pair(bytes_at_once(*robot.robot, BusId{0}), received_bytes(*robot.robot, BusId{0}));
-  };
-  const auto sbus = [](const std::string& period) {
-    return R"(<device name="rc" type="sbus" bus="line" period=")" + period + "\"/>";
-  };
-  const std::string slow = R"(port="usart3" baud="100000baud")";
-  CHECK(bytes_of(slow, sbus("5ms")) == std::pair<std::int64_t, std::int64_t>(25, 50));
-  CHECK(bytes_of(slow, sbus("6ms")) == std::pair<std::int64_t, std::int64_t>(50, 50));
-  const auto quiet = [](const std::string& period) {
-    return R"(<device name="own" type="quiet_on_line" bus="line" period=")" + period + "\"/>";
-  };
-  // 12.5 ms of 11520 bytes/s, 5 % more, and what is cut at both ends.
-  CHECK(bytes_of(R"(port="usart1" baud="115200baud")", quiet("10ms")).first == 153);
-  CHECK(bytes_of(R"(port="usart1" baud="115200baud")", quiet("100ms")).first == 256);
-  CHECK(bytes_of(R"(port="usart1" baud="115200baud")", quiet("10s")).first == 256);
-}
-
-TEST_CASE("what update() leaves of a serial line is a period older where it may end late") {
-  const auto acquire_beside = [](const std::string& work) {
-    const Robots robot = Robots::with(R"(<bus name="line" type="uart" port="usart3" baud="100000baud"/>
-        <device name="root" type="group" period="5ms">
-        <device name="load" type="sim_load"><param name="update">)" +
-                                      work + R"(</param></device>
-        <device name="rc" type="sbus" bus="line"/></device>)");
-    const Duration within = robot.model.devices[robot["rc"]].acquisition->taken_within;
-    CHECK(within > 1_ms);
-    CHECK(within < 2_ms);
-    Diagnostics findings;
-    const auto timing = analyse(robot.model, {}, findings);
-    REQUIRE(timing);
-    return chain(*timing, "rc", "load").acquire.value();
-  };
-  const Duration soon = acquire_beside("500us"), late = acquire_beside("3ms");
-  CHECK(late > soon + 8_ms);
-  CHECK(late < soon + 10_ms);
-}
-
 TEST_CASE("samples come as often as a param says where the type leaves it to one") {
   const auto link = [](const std::string& param) {
     const Robots robot = Robots::with(R"(<bus name="line" type="uart" port="usart1" baud="921600baud"/>

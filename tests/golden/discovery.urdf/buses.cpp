@@ -22,9 +22,9 @@ constexpr finemote::I2cSlot* finemote_i2c_slots[] = {
 }  // namespace
 
 FINEMOTE_DMA static std::uint8_t finemote_computer_ring[256];
-FINEMOTE_CONSTINIT finemote::Uart computer{finemote::ports::usart2, 921600 /* baud */, finemote_computer_ring, finemote::UartFormat::k8N1, finemote::UartLimits{2 /* line events */, 128 /* bytes */}};
+FINEMOTE_CONSTINIT finemote::Uart computer{finemote::ports::usart2, 921600 /* baud */, finemote_computer_ring, finemote::UartFormat::k8N1, finemote::UartLimits{2 /* line events */, 256 /* bytes */}};
 FINEMOTE_DMA static std::uint8_t finemote_imu_line_ring[256];
-FINEMOTE_CONSTINIT finemote::Uart imu_line{finemote::ports::usart3, 460800 /* baud */, finemote_imu_line_ring, finemote::UartFormat::k8N1, finemote::UartLimits{3 /* line events */, 134 /* bytes */}};
+FINEMOTE_CONSTINIT finemote::Uart imu_line{finemote::ports::usart3, 460800 /* baud */, finemote_imu_line_ring, finemote::UartFormat::k8N1, finemote::UartLimits{3 /* line events */, 201 /* bytes */}};
 FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c1, 400000 /* Hz */, finemote_i2c_slots};
 FINEMOTE_CONSTINIT finemote::PwmBus servo_pulses{finemote::ports::pwm1};
 FINEMOTE_CONSTINIT finemote::PwmBus green{finemote::ports::led_green, 1 * finemote::kMillisecond};

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 235993, finemote::kNothingToBound, nullptr},  // imu
-    {1, 517061, finemote::kNothingToBound, nullptr},  // depth
-    {1, 514361, finemote::kNothingToBound, nullptr},  // button
-    {1, 511529, 24040071, &station::servo.command},  // servo
-    {1, 506727, 24035203, &station::green_led.command},  // green_led
-    {1, 500621, 24029229, &station::blue_led.command},  // blue_led
-    {1, 494640, finemote::kNothingToBound, nullptr},  // station
+    {0, 254455, finemote::kNothingToBound, nullptr},  // imu
+    {1, 571982, finemote::kNothingToBound, nullptr},  // depth
+    {1, 569282, finemote::kNothingToBound, nullptr},  // button
+    {1, 566582, 24076530, &station::servo.command},  // servo
+    {1, 561714, 24071794, &station::green_led.command},  // green_led
+    {1, 555739, 24065688, &station::blue_led.command},  // blue_led
+    {1, 549561, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

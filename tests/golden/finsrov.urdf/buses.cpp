@@ -30,9 +30,9 @@ constexpr finemote::I2cSlot* finemote_i2c_slots[] = {
 }  // namespace
 
 FINEMOTE_DMA static std::uint8_t finemote_imu_uart_ring[256];
-FINEMOTE_CONSTINIT finemote::Uart imu_uart{finemote::ports::usart1, 921600 /* baud */, finemote_imu_uart_ring, finemote::UartFormat::k8N1, finemote::UartLimits{3 /* line events */, 134 /* bytes */}};
+FINEMOTE_CONSTINIT finemote::Uart imu_uart{finemote::ports::usart1, 921600 /* baud */, finemote_imu_uart_ring, finemote::UartFormat::k8N1, finemote::UartLimits{3 /* line events */, 201 /* bytes */}};
 FINEMOTE_DMA static std::uint8_t finemote_tether_ring[256];
-FINEMOTE_CONSTINIT finemote::Uart tether{finemote::ports::usart6, 115200 /* baud */, finemote_tether_ring, finemote::UartFormat::k8E1, finemote::UartLimits{16 /* line events */, 139 /* bytes */}};
+FINEMOTE_CONSTINIT finemote::Uart tether{finemote::ports::usart6, 115200 /* baud */, finemote_tether_ring, finemote::UartFormat::k8E1, finemote::UartLimits{16 /* line events */, 256 /* bytes */}};
 FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c2, 400000 /* Hz */, finemote_i2c_slots};
 FINEMOTE_CONSTINIT finemote::Pca9685 pwm{slots::pwm, finemote::Pca9685::Config{}};
 

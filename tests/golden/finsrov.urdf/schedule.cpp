@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 331858, finemote::kNothingToBound, nullptr},  // imu
-    {1, 912762, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 910062, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 907362, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 904662, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 899554, 31197418, &rov::thruster_1.command},  // thruster_1
-    {1, 894996, 31192860, &rov::thruster_2.command},  // thruster_2
-    {1, 890372, 31188236, &rov::thruster_3.command},  // thruster_3
-    {1, 885814, 31181336, &rov::thruster_4.command},  // thruster_4
-    {1, 881250, 31171078, &rov::thruster_5.command},  // thruster_5
-    {1, 874290, 31166525, &rov::thruster_6.command},  // thruster_6
-    {1, 869666, 31159560, &rov::thruster_7.command},  // thruster_7
-    {1, 865108, 31154936, &rov::thruster_8.command},  // thruster_8
-    {1, 852508, finemote::kNothingToBound, nullptr},  // rov
+    {0, 373286, finemote::kNothingToBound, nullptr},  // imu
+    {1, 939022, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 936322, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 933556, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 930856, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 928156, 31229384, &rov::thruster_1.command},  // thruster_1
+    {1, 921191, 31219126, &rov::thruster_2.command},  // thruster_2
+    {1, 916632, 31214567, &rov::thruster_3.command},  // thruster_3
+    {1, 912008, 31209938, &rov::thruster_4.command},  // thruster_4
+    {1, 907444, 31202972, &rov::thruster_5.command},  // thruster_5
+    {1, 902892, 31198420, &rov::thruster_6.command},  // thruster_6
+    {1, 895926, 31193861, &rov::thruster_7.command},  // thruster_7
+    {1, 891302, 31189238, &rov::thruster_8.command},  // thruster_8
+    {1, 886744, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

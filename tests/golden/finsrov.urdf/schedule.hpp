@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 326.372 us of its release.
+/// a job ends within 367.8 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 892.931 us of its release.
+/// a job ends within 919.125 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{326372, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{842086, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{842086, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{842086, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{842086, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{842086, 31136414, 34926503};
-inline constexpr finemote::Bounds thruster_2{840228, 31134556, 34926503};
-inline constexpr finemote::Bounds thruster_3{838303, 31132697, 34928909};
-inline constexpr finemote::Bounds thruster_4{836445, 31130773, 34928843};
-inline constexpr finemote::Bounds thruster_5{832240, 31128909, 34928843};
-inline constexpr finemote::Bounds thruster_6{830388, 31127057, 34928844};
-inline constexpr finemote::Bounds thruster_7{828530, 31122858, 34941626};
-inline constexpr finemote::Bounds thruster_8{826606, 31121000, 34941627};
-inline constexpr finemote::Bounds rov{824748, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{367800, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{873980, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{873980, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{873980, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{873980, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{873980, 31162674, 34952763};
+inline constexpr finemote::Bounds thruster_2{872122, 31160750, 34952697};
+inline constexpr finemote::Bounds thruster_3{870198, 31158892, 34955104};
+inline constexpr finemote::Bounds thruster_4{868340, 31157034, 34955104};
+inline constexpr finemote::Bounds thruster_5{866476, 31155170, 34955104};
+inline constexpr finemote::Bounds thruster_6{858923, 31153317, 34955104};
+inline constexpr finemote::Bounds thruster_7{854724, 31151393, 34970161};
+inline constexpr finemote::Bounds thruster_8{852866, 31149535, 34970162};
+inline constexpr finemote::Bounds rov{851008, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

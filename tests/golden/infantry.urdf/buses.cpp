@@ -40,7 +40,7 @@ constexpr finemote::SpiSlot* finemote_imu_spi_slots[] = {
 }  // namespace
 
 FINEMOTE_DMA static std::uint8_t finemote_dbus_ring[256];
-FINEMOTE_CONSTINIT finemote::Uart dbus{finemote::ports::usart3, 100000 /* baud */, finemote_dbus_ring, finemote::UartFormat::k8E1Inverted, finemote::UartLimits{2 /* line events */, 18 /* bytes */}};
+FINEMOTE_CONSTINIT finemote::Uart dbus{finemote::ports::usart3, 100000 /* baud */, finemote_dbus_ring, finemote::UartFormat::k8E1Inverted, finemote::UartLimits{2 /* line events */, 36 /* bytes */}};
 FINEMOTE_CONSTINIT finemote::CanBus wheel_can{finemote::ports::can1, 1000000 /* bit/s */, finemote_wheel_can_slots};
 FINEMOTE_CONSTINIT finemote::CanBus gimbal_can{finemote::ports::can2, 1000000 /* bit/s */, finemote_gimbal_can_slots};
 FINEMOTE_CONSTINIT finemote::SpiBus imu_spi{finemote::ports::spi1, 5250000 /* Hz */, finemote_imu_spi_slots};

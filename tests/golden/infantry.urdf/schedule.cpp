@@ -117,7 +117,7 @@ constexpr finemote::Monitored kMonitored[] = {
     {2, 291643, 26555796, &chassis::rear_left.command},  // rear_left
     {2, 285204, 26549357, &chassis::rear_right.command},  // rear_right
     {2, 278758, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 385076, finemote::kNothingToBound, nullptr},  // remote
+    {3, 385850, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

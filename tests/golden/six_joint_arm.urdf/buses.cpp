@@ -34,7 +34,7 @@ constexpr finemote::CanSlot* finemote_wrist_can_slots[] = {
 }  // namespace
 
 FINEMOTE_DMA static std::uint8_t finemote_receiver_ring[256];
-FINEMOTE_CONSTINIT finemote::Uart receiver{finemote::ports::usart3, 100000 /* baud */, finemote_receiver_ring, finemote::UartFormat::k8E2Inverted, finemote::UartLimits{3 /* line events */, 50 /* bytes */}};
+FINEMOTE_CONSTINIT finemote::Uart receiver{finemote::ports::usart3, 100000 /* baud */, finemote_receiver_ring, finemote::UartFormat::k8E2Inverted, finemote::UartLimits{3 /* line events */, 75 /* bytes */}};
 FINEMOTE_CONSTINIT finemote::CanBus arm_can{finemote::ports::can1, 1000000 /* bit/s */, finemote_arm_can_slots};
 FINEMOTE_CONSTINIT finemote::CanBus wrist_can{finemote::ports::can2, 1000000 /* bit/s */, finemote_wrist_can_slots};
 
