@@ -7,6 +7,7 @@ Machine presumed_return(Machine machine) {
     machine.set(reg, Value::in(Interval::any()));
   machine.set_flags(std::nullopt);
   machine.set_exclusive(true);
+  machine.keep_link();
   return machine;
 }
 

@@ -106,7 +106,7 @@ std::optional<std::pair<std::uint32_t, std::string>> refusal_of(const Frame& fra
   return {{*place, "interrupts are kept out, and what that delays has no bound"}};
 }
 
-constexpr const char* kElsewhere = "it does not return to where it was called from";
+constexpr const char* kWrongReturn = "it does not return to where it was called from";
 
 /// Whether a way that leaves the function, if it does, leads to its caller.
 bool is_back(const Way& way, const Frame& frame) {
@@ -344,7 +344,7 @@ class Walker {
 
   void follow(Frame& frame, const BasicBlock& code, std::size_t node, Way way) {
     const std::vector<UnrolledEdge> here{{node, way.cost}};
-    if (!is_back(way, frame)) return fail(code.begin, &frame.function, kElsewhere);
+    if (!is_back(way, frame)) return fail(code.begin, &frame.function, kWrongReturn);
     switch (way.kind) {
       case Way::Kind::edge:
         return arrive(frame.arrivals[way.to], std::move(way.machine), here);
