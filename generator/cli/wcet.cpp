@@ -93,8 +93,9 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   inputs.clock_hz = planned->robot.board->cpu_hz;
   inputs.arguments = argument_words(*input);
   inputs.board = options.board;
-  const TimingState state = timing_state_of(*planned, input->data_dir, sources.access());
+  TimingState state;
   if (options.elf.empty()) {
+    state = timing_state_of(*planned, input->data_dir, sources.access());
     inputs.compiler = compiler_for_board();
     inputs.hash = state.hash;
   }

@@ -172,6 +172,10 @@ bool has_assembler(std::string_view text) {
 
 }  // namespace
 
+bool has_pasted_words(std::string_view lines) {
+  return lines.find("##") != std::string_view::npos || lines.find("%:%:") != std::string_view::npos;
+}
+
 Directives directives_of(std::string_view source) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (source.rfind(kByteOrderMark, 0) == 0) source.remove_prefix(kByteOrderMark.size());
@@ -179,7 +183,7 @@ Directives directives_of(std::string_view source) {
   DirectiveReader reader;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) reader.read(line);
-  reader.found.has_pasted = text.find("##") != std::string::npos || text.find("%:%:") != std::string::npos;
+  reader.found.has_pasted = has_pasted_words(text);
   const std::string joined = with_joined_literals(text);
   add_assembled(joined, ".incbin", reader.found);
   add_assembled(joined, ".include", reader.found);

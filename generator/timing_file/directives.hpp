@@ -30,4 +30,7 @@ struct Directives {
 
 Directives directives_of(std::string_view source);
 
+/// Whether logical lines make a word of two.
+bool has_pasted_words(std::string_view lines);
+
 }  // namespace finemote::gen

@@ -8,6 +8,7 @@
 
 #include "generator/output/manifest.hpp"
 #include "generator/output/sha256.hpp"
+#include "generator/timing_file/logical_lines.hpp"
 #include "generator/timing_file/timing_file.hpp"
 #include "generator/timing_file/user_code.hpp"
 #include "generator/xml/read_source.hpp"
@@ -83,17 +84,10 @@ std::vector<SourceText> shipped_sources(const TimingInputs& inputs) {
   return sources;
 }
 
-/// As a checkout with other ends of lines has it.
-std::vector<SourceText> without_returns(std::vector<SourceText> sources) {
+/// What an assembler reads stays as it is.
+std::vector<SourceText> with_common_ends(std::vector<SourceText> sources) {
   for (SourceText& source : sources) {
-    if (source.is_raw) continue;
-    std::string text;
-    text.reserve(source.text.size());
-    for (std::size_t i = 0; i < source.text.size(); ++i) {
-      const bool is_of_end = source.text[i] == '\r' && i + 1 < source.text.size() && source.text[i + 1] == '\n';
-      if (!is_of_end) text += source.text[i];
-    }
-    source.text = std::move(text);
+    if (!source.is_raw) source.text = without_returns(source.text);
   }
   return sources;
 }
@@ -109,7 +103,7 @@ TimingState timing_state(const TimingInputs& inputs, const files::Access& access
   const std::vector<SourceText> shipped = shipped_sources(inputs);
   list.add(shipped);
   const std::vector<SourceText> user = user_code(inputs.generated, shipped, inputs.user_folders, access);
-  list.add(without_returns(user));
+  list.add(with_common_ends(user));
   const bool is_whole = std::all_of(user.begin(), user.end(), [](const SourceText& file) { return file.is_whole; });
   TimingState state{is_whole ? list.digest() : std::string(), {}};
   for (const SourceText& source : user) state.user_files.push_back(source.path);

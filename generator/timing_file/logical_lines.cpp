@@ -83,23 +83,21 @@ std::size_t end_of_token(std::string_view text, std::size_t begin) {
   return begins_number(text, begin) ? end_of_number(text, begin) : begin + 1;
 }
 
-/// With one kind of ends of lines: compilers know all three.
-std::string with_line_feeds(std::string_view text) {
+}  // namespace
+
+std::string without_returns(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '\r')
-      out += text[i];
-    else if (i + 1 == text.size() || text[i + 1] != '\n')
-      out += '\n';
+    if (text.substr(i, 2) != "\r\n") out += text[i];
   }
   return out;
 }
 
-}  // namespace
-
 std::string logical_lines(std::string_view text) {
-  const std::string whole = spliced(with_line_feeds(text));
+  std::string lines = without_returns(text);
+  std::replace(lines.begin(), lines.end(), '\r', '\n');  // alone it ends a line, too
+  const std::string whole = spliced(lines);
   std::string out;
   for (std::size_t i = 0; i < whole.size();) {
     const bool is_comment = begins_comment(whole, i);

@@ -69,7 +69,8 @@ bool may_change_constants(const Robot& robot, const files::Access& access) {
   const std::vector<SourceText> all = user_texts(robot, access);
   const auto says_so = [](const std::string& text) { return text.find("mutable") != std::string::npos; };
   return std::any_of(all.begin(), all.end(), [&](const SourceText& file) {
-    return says_so(file.text) || says_so(logical_lines(file.text)) || directives_of(file.text).has_pasted;
+    const std::string lines = logical_lines(file.text);
+    return says_so(file.text) || says_so(lines) || has_pasted_words(lines);
   });
 }
 

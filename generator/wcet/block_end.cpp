@@ -62,38 +62,32 @@ class Leaving {
     }
   }
 
-  /// What the last instruction, which returns, puts into the program counter.
-  Way returned_to(const Machine& machine) const {
-    Way way{Way::Kind::leave, 0, machine};
+  /// By the last instruction, which returns.
+  Return returned_by(const Machine& machine) const {
     for (const Transferred& word : memory_use(end_.last, machine).words) {
-      if (word.reg != ARM_REG_PC) continue;
-      way.returned = machine.stack().load(word.access).anywhere();
-      way.is_made = !word.access.address.is_on_stack();
-      return way;
+      if (word.reg == ARM_REG_PC)
+        return {machine.stack().load(word.access).anywhere(), !word.access.address.is_on_stack()};
     }
-    return by_link(std::move(way));
+    return by_link(machine);
   }
 
-  static Way by_link(Way way) {
-    way.returned = way.machine.get(ARM_REG_LR).anywhere();
-    way.is_made = !way.machine.is_link_kept();
-    return way;
+  static Return by_link(const Machine& machine) {
+    return {machine.get(ARM_REG_LR).anywhere(), !machine.is_link_kept()};
   }
 
   /// To the caller, or to behind a call of a part of this function, as far as is known.
   void leave(Machine machine) {
-    Way way = returned_to(machine);
-    const Interval to = way.returned;
+    const Return back = returned_by(machine);
     execute(end_.last, end_.surroundings, machine);
     bool is_one = false;
     for (const FlowEdge& edge : end_.block.edges) {
-      if (!edge.is_taken || !to.contains(Interval::of(edge.to | 1U))) continue;
+      if (!edge.is_taken || !back.to.contains(Interval::of(edge.to | 1U))) continue;
       step_.ways.push_back({Way::Kind::edge, edge.to, machine, end_.cost.jump(edge.to)});
       is_one = true;
     }
-    if (is_one && to.is_constant()) return;
-    way.machine = std::move(machine);
-    step_.ways.push_back(std::move(way));
+    if (is_one && back.to.is_constant()) return;
+    step_.ways.push_back({Way::Kind::leave, 0, std::move(machine)});
+    step_.ways.back().back = back;
   }
 
   void call(const Machine& machine, Cycles cost) {
@@ -110,7 +104,7 @@ class Leaving {
     const bool is_jump = cost == 0;
     Way way{Way::Kind::call, *target & ~1U, machine, is_jump ? end_.cost.jump(*target & ~1U) : cost, call.is_tail};
     if (call.is_tail)
-      way = by_link(std::move(way));
+      way.back = by_link(machine);
     else
       way.behind = end_.block.edges.empty() ? 0 : end_.block.edges.front().to;
     step_.ways.push_back(std::move(way));

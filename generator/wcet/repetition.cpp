@@ -15,10 +15,11 @@ using Blocks = std::set<std::uint32_t>;  // by begin
 constexpr Cycles kCharged = 42;
 
 bool stores_exclusively(const ProgramFunction& function, const BasicBlock& block) {
-  const auto& code = function.body.instructions();
-  return std::any_of(code.begin(), code.end(), [&](const Instruction& i) {
-    return i.address >= block.begin && i.address < block.end && is_exclusive_store(i.id);
-  });
+  const Instruction* i = function.body.at(block.begin);
+  for (; i != nullptr && i->address < block.end; i = function.body.at(i->end())) {
+    if (is_exclusive_store(i->id)) return true;
+  }
+  return false;
 }
 
 bool leads_to(const BasicBlock& block, std::uint32_t to) {

@@ -12,16 +12,21 @@
 
 namespace finemote::gen::wcet {
 
+/// What a return puts into the program counter.
+struct Return {
+  Interval to = Interval::any();
+  bool is_made = false;  ///< no call has put it there
+};
+
 /// A way out of a block.
 struct Way {
   enum class Kind { edge, call, leave } kind = Kind::edge;
   std::uint32_t to = 0;  ///< of an edge: the block; of a call: the function
   Machine machine;
   Cycles cost = 0;  ///< of the way itself; of a call: to the function; of a return: none, its place is not known here
-  bool is_tail = false;                 ///< of a call: its return is that of this function
-  std::uint32_t behind = 0;             ///< of a call that is no tail: the block that goes on
-  Interval returned = Interval::any();  ///< of a return, and of the end of a call that is a tail: where to
-  bool is_made = false;                 ///< which no call has put there
+  bool is_tail = false;      ///< of a call: its return is that of this function
+  std::uint32_t behind = 0;  ///< of a call that is no tail: the block that goes on
+  Return back = {};          ///< of a return, and of the end of a call that is a tail
 };
 
 struct Step {

@@ -110,7 +110,7 @@ constexpr const char* kWrongReturn = "it does not return to where it was called 
 
 /// Whether a way that leaves the function, if it does, leads to its caller.
 bool is_back(const Way& way, const Frame& frame) {
-  return way.is_made ? way.returned == frame.back : meet(way.returned, frame.back).has_value();
+  return way.back.is_made ? way.back.to == frame.back : meet(way.back.to, frame.back).has_value();
 }
 
 Machine at_entry(std::uint32_t stack_top) {

@@ -57,7 +57,7 @@ void Uart::start() {
 }
 
 std::size_t Uart::read(std::uint8_t* out, std::size_t capacity) {
-  const std::size_t allowed = least(left_, limits_.bytes);  // left_ is never more, which only this line tells tools
+  const std::size_t allowed = least(left_, limits_.bytes);  // left_ is more at the first read() alone
   const std::size_t size = take(out, least(capacity, allowed));
   left_ = static_cast<std::uint16_t>(allowed - size);
   if (size < capacity) {
