@@ -98,15 +98,30 @@ std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device&
   const gen::Acquisition& given = *device.type->acquisition;
   Acquisition result;
   result.fixed = longest_counted(robot, given.latency);
+  const Duration converter = measures_pins(device) ? robot.board->analog_conversion : Duration::zero();
   if (given.model == gen::Acquisition::Model::streamed) {
     result.interval = longest_of_part(robot, device, sample_interval(device).value_or(Duration::zero()));
+    result.conversion = longest_counted(robot, converter);
   } else {
     result.periods = given.periods.value_or(1);
     result.every = given.published_every;
-    const Duration converter = measures_pins(device) ? robot.board->analog_conversion : Duration::zero();
     result.conversion = longest_counted(robot, std::max(conversion_time(device), converter));
   }
   return result;
+}
+
+/// Whether update() sets what goes out without a transfer of the device: channels of an output, pins, shared frames.
+bool sets_late(const Robot& robot, const gen::Device& device) {
+  const auto has_late = [&](std::optional<SegmentId> segment, const std::string& use) {
+    const bool is_wired = segment && bus_type(robot.segments[*segment].bus_kind).unit != nullptr;
+    const std::vector<Frame> frames = device.type->frames_over(use);
+    return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) {
+      return frame.stage == FrameStage::update && frame.write_bytes > 0 && (!is_wired || !frame.shared.empty());
+    });
+  };
+  return has_late(device.segment, "") || std::any_of(device.uses.begin(), device.uses.end(), [&](const Use& use) {
+           return has_late(use.segment, use.spec->role);
+         });
 }
 
 /// The device's own role in its parent, and whose data end at it.
@@ -149,6 +164,7 @@ Device make_device(const Robot& robot, const Forest& forest, DeviceId id, const 
   out.actuator = device.type != nullptr && device.type->actuator;
   for (const Read& r : device.reads) out.reads.push_back(forest.rank[r.device]);
   add_roles(robot, forest, device, out);
+  out.sets_late = device.type != nullptr && sets_late(robot, device);
   out.acquisition = acquisition_of(robot, device);
   out.unknown_age = unknown_age(robot, device);
   return out;

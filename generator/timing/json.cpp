@@ -90,6 +90,7 @@ Json device_json(const Model& model, const Device& d) {
   add_if(out, "update_extra_ns", d.update_extra);
   add_if(out, "handle_extra_ns", d.handle_extra);
   add_if(out, "output_ns", d.output);
+  if (d.sets_late) out["sets_late"] = true;
   if (!d.takes_command) out["takes_command"] = false;
   if (d.unknown_age != UnknownAge::none) out["unknown_age"] = word_of(d.unknown_age, kUnknownAgeWords);
   for (const Rank r : d.reads) out["reads"].push_back(model.devices[r].name);

@@ -132,6 +132,7 @@ struct ModelReader::Tables {
       {"update_extra_ns", Need::target, &Device::update_extra},
       {"handle_extra_ns", Need::target, &Device::handle_extra},
       {"output_ns", Need::target, &Device::output},
+      {"sets_late", Need::target, &Device::sets_late},
       {"takes_command", Need::target, &Device::takes_command},
       {"unknown_age", Need::target, Whole<Device>{&ModelReader::read_unknown_age}},
       {"reads", Need::target, Each<Device>{&ModelReader::read_observed}},

@@ -84,7 +84,20 @@ std::optional<Duration> WireAnalysis::rest_of_job(Rank device) const {
                     [&](Duration release) { return profile_.table.r_minus(device, release); });
 }
 
-/// The same from where so much of its handles is left, and the flush.
+/// From the release of a job, and thus from its handle(), to the end of update(device) of the next one.
+std::optional<Duration> WireAnalysis::next_update(Rank device) const {
+  if (!profile_.responses.ok(profile_.set.bucket_of[device])) return std::nullopt;
+  return model_.devices[device].period + profile_.responses.r_plus[device];
+}
+
+/// The same to the end of the next job.
+std::optional<Duration> WireAnalysis::end_of_next_job(Rank device) const {
+  const std::size_t w = profile_.set.bucket_of[device];
+  if (!profile_.responses.ok(w)) return std::nullopt;
+  return profile_.set.buckets[w].period + profile_.responses.bucket[w];
+}
+
+/// From where so much of its handles is left, and the flush.
 std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles, Duration latest,
                                                  const std::function<Duration(Duration release)>& of) const {
   if (!profile_.responses.ok(w)) return std::nullopt;
@@ -93,30 +106,31 @@ std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles
 }
 
 std::optional<Duration> WireAnalysis::command(Rank to) const {
-  if (!model_.devices[to].undeclared.empty()) return std::nullopt;
-  std::optional<Duration> worst = model_.devices[to].output;
+  const Device& device = model_.devices[to];
+  if (!device.undeclared.empty()) return std::nullopt;
+  std::optional<Duration> worst = device.output;
   const auto raise = [&](std::optional<Duration> value) {
     worst = worst && value ? std::optional<Duration>(std::max(*worst, *value)) : std::nullopt;
   };
-  const auto after_job = [&](std::optional<Duration> value) {
-    const auto rest = rest_of_job(to);
-    raise(rest && value ? std::optional<Duration>(*rest + *value) : std::nullopt);
+  const auto after = [&](std::optional<Duration> first, std::optional<Duration> value) {
+    raise(first && value ? std::optional<Duration>(*first + *value) : std::nullopt);
   };
-  for (std::size_t t = 0; t < model_.devices[to].transfers.size(); ++t) {
-    const Transfer& transfer = model_.devices[to].transfers[t];
+  if (device.sets_late) after(next_update(to), device.output);
+  for (std::size_t t = 0; t < device.transfers.size(); ++t) {
+    const Transfer& transfer = device.transfers[t];
     if (!transfer.command) continue;
-    if (transfer.after == Transfer::After::bucket) {
-      after_job(transfers_.of(to, t));
-    } else if (transfer.after == Transfer::After::update) {  // of the next job
-      const auto bound = transfers_.of(to, t);
-      raise(bound ? std::optional(model_.devices[to].period + profile_.responses.r_plus[to] + *bound) : std::nullopt);
-    } else {
-      raise(transfers_.of(to, t));
-    }
+    const auto bound = transfers_.of(to, t);
+    if (transfer.after == Transfer::After::bucket)
+      after(rest_of_job(to), bound);
+    else if (transfer.after == Transfer::After::update)
+      after(next_update(to), bound);
+    else
+      raise(bound);
   }
   for (std::size_t f = 0; f < model_.flushes.size(); ++f) {
     const auto& devices = model_.flushes[f].devices;
-    if (std::find(devices.begin(), devices.end(), to) != devices.end()) after_job(flush_response(f));
+    if (std::find(devices.begin(), devices.end(), to) == devices.end()) continue;
+    after(device.sets_late ? end_of_next_job(to) : rest_of_job(to), flush_response(f));
   }
   return worst;
 }
@@ -136,23 +150,25 @@ bool WireAnalysis::is_in_the_way(Rank from) const {
   return false;
 }
 
-std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
+/// The part sends by itself.
+std::optional<Duration> WireAnalysis::streamed(Rank from) const {
   const Device& device = model_.devices[from];
-  if (device.unknown_age != UnknownAge::none || !device.undeclared.empty()) return std::nullopt;
-  if (!device.acquisition) return Duration::zero();
-  const Acquisition& a = *device.acquisition;
-  if (a.periods == 0) {
-    Duration wire;
-    for (std::size_t t = 0; t < device.transfers.size(); ++t) {
-      if (device.transfers[t].after != Transfer::After::autonomous) continue;
-      const auto bound = transfers_.arrival(from, t);
-      if (!bound) return std::nullopt;
-      wire = std::max(wire, *bound + dated_early(model_, device.transfers[t].bus));
-    }
-    return a.fixed + a.interval + wire + profile_.set.blocking;
+  Duration wire;
+  for (std::size_t t = 0; t < device.transfers.size(); ++t) {
+    if (device.transfers[t].after != Transfer::After::autonomous) continue;
+    const auto bound = transfers_.arrival(from, t);
+    if (!bound) return std::nullopt;
+    wire = std::max(wire, *bound + dated_early(model_, device.transfers[t].bus));
   }
-  const std::size_t w = profile_.set.bucket_of[from];
-  if (!profile_.responses.ok(w) || is_in_the_way(from)) return std::nullopt;
+  const Acquisition& a = *device.acquisition;
+  return a.fixed + a.interval + wire + profile_.set.blocking;
+}
+
+/// The device asks.
+std::optional<Duration> WireAnalysis::asked(Rank from) const {
+  const Device& device = model_.devices[from];
+  if (!profile_.responses.ok(profile_.set.bucket_of[from]) || is_in_the_way(from)) return std::nullopt;
+  const Acquisition& a = *device.acquisition;
   Duration busy;  // from the release on, until what was asked for has come
   for (std::size_t t = 0; t < device.transfers.size(); ++t) {
     const Transfer& transfer = device.transfers[t];
@@ -167,8 +183,23 @@ std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
   const std::int64_t extra = std::max<std::int64_t>(ceil_div(busy, device.period) - 1, 0);
   // Measured in `periods` and published then; read until just before the next one that is published, of which each
   // measurement takes 1 + extra periods and `every` of them one value.
-  const std::int64_t periods = add(add(a.periods, extra), multiply(a.every, extra + 1) - 1);
-  return a.fixed + response + periods * device.period;
+  const std::int64_t least = std::max<std::int64_t>(a.periods, 1);
+  const std::int64_t periods = add(add(least, extra), multiply(a.every, extra + 1) - 1);
+  return a.fixed + a.interval + response + periods * device.period;
+}
+
+std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
+  const Device& device = model_.devices[from];
+  if (device.unknown_age != UnknownAge::none || !device.undeclared.empty()) return std::nullopt;
+  if (!device.acquisition) return Duration::zero();
+  if (device.acquisition->periods > 0) return asked(from);
+  const auto sent = streamed(from);
+  const auto is_answered = [](const Transfer& t) { return t.after != Transfer::After::autonomous && t.reads; };
+  const bool asks_too = device.acquisition->conversion > Duration::zero() ||
+                        std::any_of(device.transfers.begin(), device.transfers.end(), is_answered);
+  if (!asks_too || !sent) return sent;
+  const auto answered = asked(from);
+  return answered ? std::optional(std::max(*sent, *answered)) : std::nullopt;
 }
 
 }  // namespace finemote::gen::timing

@@ -40,6 +40,12 @@ TEST_CASE("what a part sends is as old as nobody knows where its type does not s
         "what 'own' reads is older than its update(), and its type does not say how much ('acquisition')");
 }
 
+TEST_CASE("what a part measures by itself is read a period after update() has asked for it") {
+  const auto acquire = chain(timing_of(kI2c, R"(type="free_running")"), "own", "own").acquire;
+  REQUIRE(acquire);
+  CHECK(*acquire > finemote::gen::milliseconds(6));
+}
+
 TEST_CASE("a measurement may find its slot taken by another stage of its device, again and again") {
   const Timing timing = timing_of(kI2c, R"(type="seesaw")");
   CHECK_FALSE(chain(timing, "own", "own").acquire);
@@ -61,6 +67,20 @@ TEST_CASE(
     REQUIRE(wire);
     CHECK(*wire > finemote::gen::milliseconds(5));
   }
+}
+
+TEST_CASE("what update() sets of an output or a pin leaves a period later than what handle() sets") {
+  const auto wire = [](const std::string& device) {
+    const Robots robot = Robots::with("<bus name=\"line\" type=\"pwm\" port=\"pwm1\"/><device name=\"own\" " + device);
+    Diagnostics findings;
+    const auto timing = analyse(robot.model, {}, findings);
+    REQUIRE(timing);
+    return chain(*timing, "own", "own").wire.value();
+  };
+  CHECK(wire(R"(type="pwm_servo" period="5ms" bus="line"/>)") < finemote::gen::milliseconds(1));
+  CHECK(wire(R"(type="late_pulse" period="5ms" bus="line"/>)") > finemote::gen::milliseconds(5));
+  CHECK(wire(R"(type="late_switch" period="5ms"><use role="line" pin="laser"/></device>)") >
+        finemote::gen::milliseconds(5));
 }
 
 TEST_CASE("others may go between a question on CAN and its answer") {
