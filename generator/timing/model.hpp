@@ -108,8 +108,8 @@ struct Transfer {
 ///
 /// The part sends by itself (periods = 0): fixed + interval + wire of its frame. The device asks for it: fixed +
 /// (periods + extra) T + (every (1 + extra) - 1) T + R+, with as many extra periods as the conversion does not fit
-/// into. It asks a part that measures by itself: the same with periods = 1, and the interval; where that part sends, too,
-/// the larger of both.
+/// into. It asks a part that measures by itself: the same with periods = 1, and the interval; where that part sends,
+/// too, the larger of both.
 struct Acquisition {
   Duration fixed;            ///< filter and transport delay
   Duration interval;         ///< an autonomous part's largest distance between samples
@@ -128,9 +128,9 @@ struct Device {
   // what follows belongs to profile `target` and to chains
   Duration update_bcet;
   Duration handle_bcet;
-  Duration update_extra;  ///< snapshots and publishing the schedule adds around update()
-  Duration handle_extra;  ///< the same around handle()
-  Duration output;        ///< end of handle() to the output where no bus is in between (a timer's next period)
+  Duration update_extra;   ///< snapshots and publishing the schedule adds around update()
+  Duration handle_extra;   ///< the same around handle()
+  Duration output;         ///< end of handle() to the output where no bus is in between (a timer's next period)
   bool sets_late = false;  ///< its outputs without a bus, and what flushes send, are set by the update() after handle()
   bool takes_command = true;
   bool actuator = false;    ///< its command leaves the robot's software here
