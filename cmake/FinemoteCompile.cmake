@@ -47,7 +47,8 @@ function(finemote_compile_options target board chips optimize)
   target_compile_options(${target} PRIVATE -g ${optimize} -fno-exceptions -fno-rtti -fno-threadsafe-statics
                          -fno-use-cxa-atexit -fno-math-errno -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections
                          -fdata-sections
-                         # the same bytes wherever the sources lie; of several that fit the last one counts
+                         # the same bytes wherever the sources lie, also behind links; of several that fit the last one counts
+                         -fno-canonical-system-headers
                          -ffile-prefix-map=${CMAKE_SOURCE_DIR}=robot -ffile-prefix-map=${CMAKE_BINARY_DIR}=build
                          -ffile-prefix-map=${FINEMOTE_ROOT}=finemote)
 endfunction()

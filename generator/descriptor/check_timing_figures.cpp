@@ -56,6 +56,22 @@ class TimingCheck {
           .hint("where update() begins a measurement and the next update() publishes it: \"periods\": 1");
     }
     for (const char* member : {"interval_ns", "interval_param"}) check_absent(member, "streamed");
+    check_asked();
+  }
+  /// How often the samples of a part come that only sends by itself is nothing that the device decides.
+  void check_asked() const {
+    const std::vector<Frame> frames = type_.frames.value_or(std::vector<Frame>());
+    const auto is_sent = [](const Frame& frame) { return frame.stage == FrameStage::autonomous; };
+    const auto is_asked = [&](const Frame& frame) { return !is_sent(frame) && frame.read_bytes > 0; };
+    const bool measures = std::any_of(type_.uses.begin(), type_.uses.end(),
+                                      [](const UseSpec& use) { return use.function == "analog"; });
+    if (measures || std::none_of(frames.begin(), frames.end(), is_sent) ||
+        std::any_of(frames.begin(), frames.end(), is_asked))
+      return;
+    found_
+        .add({"acquisition", "model"},
+             "model 'polled' is of a part that is asked, and all that its frames bring comes by itself")
+        .hint("write \"model\": \"streamed\" and \"interval_ns\", the nominal time from one sample to the next");
   }
   /// The sample has to come in something.
   void check_stream() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/model/connection.hpp"
 #include "generator/model/conversion.hpp"
 #include "generator/model/part_clock.hpp"
 #include "generator/model/sample_interval.hpp"
@@ -68,21 +69,20 @@ bool shares_converter(const Robot& robot, const gen::Device& device) {
   });
 }
 
-/// A slot takes one transfer at a time. Between update() and handle() of one job nothing lets the first one end; and
-/// what update() cannot send for a handle() before it, it may send in place of a question.
+/// A slot takes one transfer at a time, and between update() and handle() of one job nothing lets the first one end:
+/// where both use it, one of them has to leave out its turn.
 bool may_find_slot_busy(const Robot& robot, const gen::Device& device) {
   const DeviceType& type = *device.type;
-  const bool has_slot =
-      device.segment && bus_type(robot.segments[*device.segment].bus_kind).reach == BusType::Reach::slot;
-  if (!has_slot || !type.acquisition || type.acquisition->published_every > 1) return false;
-  const std::vector<Frame> frames = type.frames_over("");
-  const auto any = [&](FrameStage stage, bool reads) {
-    return std::any_of(frames.begin(), frames.end(),
-                       [&](const Frame& f) { return f.stage == stage && (f.read_bytes > 0) == reads; });
-  };
-  const bool in_update = any(FrameStage::update, true), in_handle = any(FrameStage::handle, true);
-  const bool sends_in_update = any(FrameStage::update, false), sends_in_handle = any(FrameStage::handle, false);
-  return (in_handle && (in_update || sends_in_update)) || (in_update && sends_in_update && sends_in_handle);
+  if (!type.acquisition || type.acquisition->published_every > 1) return false;
+  const std::vector<Connection> connections = connections_of(device);
+  return std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
+    if (bus_type(robot.segments[connection.segment].bus_kind).reach != BusType::Reach::slot) return false;
+    const std::vector<Frame> frames = frames_over(device, connection);
+    const auto any = [&](auto is_so) { return std::any_of(frames.begin(), frames.end(), is_so); };
+    return any([](const Frame& f) { return f.stage == FrameStage::update; }) &&
+           any([](const Frame& f) { return f.stage == FrameStage::handle; }) &&
+           any([](const Frame& f) { return f.stage != FrameStage::autonomous && f.read_bytes > 0; });
+  });
 }
 
 UnknownAge unknown_age(const Robot& robot, const gen::Device& device) {

@@ -112,7 +112,11 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
     model_.devices[place].undeclared.push_back(*bus);
   const WireRate rate{robot_.buses[id].kind, model_.buses[*bus].baud_bps, mover_of(robot_, id),
                       line_format(format_over(device, connection)).bits_per_byte()};
-  for (Unit& unit : units_of(robot_, device, frames, rate)) {
+  std::vector<Unit> units = units_of(robot_, device, frames, rate);
+  const bool is_taken = bus_type(rate.kind).reach == BusType::Reach::slot &&
+                        std::any_of(units.begin(), units.end(),
+                                    [](const Unit& unit) { return unit.stage == FrameStage::update; });
+  for (Unit& unit : units) {
     if (unit.stage == FrameStage::flush) continue;
     add_selection(connection.segment, rate, unit.use);
     add_transfer(place, *bus, unit.stage, unit.use);
@@ -121,6 +125,7 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
     transfer.reads = unit.stage != FrameStage::autonomous && unit.reads;
     transfer.writes = unit.stage != FrameStage::autonomous && unit.writes;
     transfer.command = unit.stage == FrameStage::handle && unit.writes;
+    transfer.may_wait = transfer.command && is_taken;
     if (connection.use == nullptr) transfer.identifier = own_identifier(device, frames, unit.stage);
   }
 }

@@ -90,6 +90,12 @@ std::optional<Duration> WireAnalysis::next_update(Rank device) const {
   return model_.devices[device].period + profile_.responses.r_plus[device];
 }
 
+/// The same to the end of handle(device) of the next one.
+std::optional<Duration> WireAnalysis::next_handle(Rank device) const {
+  if (!profile_.responses.ok(profile_.set.bucket_of[device])) return std::nullopt;
+  return model_.devices[device].period + profile_.responses.r_minus[device];
+}
+
 /// The same to the end of the next job.
 std::optional<Duration> WireAnalysis::end_of_next_job(Rank device) const {
   const std::size_t w = profile_.set.bucket_of[device];
@@ -124,6 +130,8 @@ std::optional<Duration> WireAnalysis::command(Rank to) const {
       after(rest_of_job(to), bound);
     else if (transfer.after == Transfer::After::update)
       after(next_update(to), bound);
+    else if (transfer.may_wait)
+      after(next_handle(to), bound);
     else
       raise(bound);
   }

@@ -56,12 +56,13 @@ TEST_CASE("a measurement may find its slot taken by another stage of its device,
   const auto told = chain(timing_of(kI2c, R"(type="told_seesaw")"), "own", "own").acquire;
   REQUIRE(told);
   CHECK(*told >= finemote::gen::milliseconds(10));
+  CHECK_FALSE(chain(timing_of(kI2c, R"(type="asks_and_sets")"), "own", "own").acquire);
 }
 
 TEST_CASE(
     "a question still takes the slot when handle() wants to send: the command leaves with the next job, on CAN, too") {
   for (const auto& [bus, device] :
-       {std::pair(kI2c, R"(type="seesaw")"), std::pair(kCan, R"(type="late_on_can" id="3")")}) {
+       {std::pair(kI2c, R"(type="seesaw")"), std::pair(kI2c, R"(type="asks_and_sets")"), std::pair(kCan, R"(type="late_on_can" id="3")")}) {
     INFO(device);
     const auto wire = chain(timing_of(bus, device), "own", "own").wire;
     REQUIRE(wire);
