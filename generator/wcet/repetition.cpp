@@ -11,9 +11,6 @@ namespace {
 
 using Blocks = std::set<std::uint32_t>;  // by begin
 
-/// `preemption` in the chip's file [cycles]: what is done again must fit into it.
-constexpr Cycles kCharged = 42;
-
 bool stores_exclusively(const ProgramFunction& function, const BasicBlock& block) {
   const Instruction* i = function.body.at(block.begin);
   for (; i != nullptr && i->address < block.end; i = function.body.at(i->end())) {
@@ -78,7 +75,7 @@ bool is_long_repetition(const Frame& frame, std::size_t loop, const UnrolledGrap
     if (frame.nest.around(begin) != loop) return false;
     if (!stores_exclusively(frame.function, frame.function.graph.blocks.at(begin))) return false;
     const Blocks turn = smallest_turn(frame.function.graph, all, begin);
-    return longest_of(turn, frame, all.header, graph, first) > kCharged;
+    return longest_of(turn, frame, all.header, graph, first) > kLongestRepetition;
   });
 }
 

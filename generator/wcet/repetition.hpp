@@ -8,6 +8,9 @@ namespace finemote::gen::wcet {
 inline constexpr const char* kLongRepetition =
     "an interrupt makes it turn once more, which takes too long: its work is to be outside of LDREX and STREX";
 
+/// What an interrupt may have done again [cycles]: it has to fit into `preemption` of the chip's file (wcet_pieces_test).
+inline constexpr Cycles kLongestRepetition = 42;
+
 /// What is done again takes longer than the analysis charges the interrupt with: `preemption` in the chip's file. The
 /// loop, in which no other one has the store, was gone through by the nodes from `first` on. Not so where a mark says
 /// how often it turns.

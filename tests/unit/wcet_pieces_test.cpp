@@ -1,13 +1,17 @@
 // What runs beside stages: routines by what raised them, jobs around their stages, rounds that an interrupt adds.
 #include <algorithm>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "catch.hpp"
 #include "generator/wcet/causes.hpp"
 #include "generator/wcet/events.hpp"
 #include "generator/wcet/gaps.hpp"
+#include "generator/wcet/repetition.hpp"
 #include "generator/wcet/retries.hpp"
+#include "source_dir.hpp"
+#include "tests/read.hpp"
 
 using namespace finemote::gen::wcet;
 
@@ -99,6 +103,15 @@ UnrolledGraph chain_of(const std::vector<Cycles>& costs) {
 }
 
 }  // namespace
+
+TEST_CASE("what an interrupt may have done again fits into what the analysis charges each interrupt with") {
+  const auto chip =
+      nlohmann::json::parse(finemote::test::read(finemote::test::source_dir() + "/schemas/chips/stm32f407.json"));
+  const auto charged = chip.at("costs").at("preemption").at("ns").get<std::int64_t>();
+  constexpr std::int64_t kCoreClock = 168000000;  // Hz, the fastest: the fewest nanoseconds
+  CHECK(kLongestRepetition * 1000000000 <= charged * kCoreClock);
+  CHECK((kLongestRepetition + 1) * 1000000000 > charged * kCoreClock);
+}
 
 TEST_CASE("a run takes no longer than its cause allows, and one of several causes no longer than they do together") {
   int told_apart = 0;
