@@ -14,6 +14,7 @@
 #include "generator/cli/verdict.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/run/audit.hpp"
+#include "generator/run/check_routines.hpp"
 #include "generator/run/check_wcet.hpp"
 #include "generator/run/duration.hpp"
 #include "generator/run/emulate.hpp"
@@ -170,6 +171,8 @@ void judge(const PlannedRobot& planned, const std::optional<timing::Timing>& tim
   if (timing) result.wcets_given = analysed_wcets(robot, planned.forest, timing->model);
   const bool declared_hold = !timing || timing->above_declared.empty();
   result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged) && declared_hold;
+  if (timing && !check_routines(robot, planned.schedule, timing->model, result.record, judged))
+    result.wcets_hold = false;
   result.loops_hold = check_loops(result.loops, result.record.loop_passes, judged);
   result.traffic_holds = !result.record.violated.empty() || check_traffic(robot, result.figures.traffic, judged);
   result.wcets = measured_wcets(robot, result.record);

@@ -52,6 +52,13 @@ std::vector<OwnTime> own_times_of(const Json& record, const Forest& forest) {
   return times;
 }
 
+/// Rounded up.
+std::vector<RoutineTime> routine_times_of(const Json& record) {
+  std::vector<RoutineTime> times;
+  for (const Json& own : record.at("own_exceptions")) times.push_back({own.at(0), picoseconds_up(own.at(1))});
+  return times;
+}
+
 std::vector<ExpectationRecord> expectations_of(const Json& record) {
   const auto seen = [](const Json& value) { return value.is_null() ? std::nullopt : std::optional<double>(value); };
   std::vector<ExpectationRecord> all;
@@ -156,6 +163,7 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   record.absent = json.at("absent").get<std::vector<std::string>>();
   record.events = events_of(json, forest);
   record.own_times = own_times_of(json, forest);
+  record.routine_times = routine_times_of(json);
   record.loop_passes = json.at("loop_passes").get<std::vector<std::uint64_t>>();
   record.overruns = json.at("overruns").get<std::vector<std::uint64_t>>();
   record.faults = faults_of(json, "fault_counts");

@@ -14,6 +14,15 @@ void add(std::vector<OwnTime>& all, const OwnTime& more) {
   all.push_back(more);
 }
 
+void add(std::vector<RoutineTime>& all, const RoutineTime& more) {
+  for (RoutineTime& routine : all) {
+    if (routine.exception != more.exception) continue;
+    routine.longest = std::max(routine.longest, more.longest);
+    return;
+  }
+  all.push_back(more);
+}
+
 void add(std::vector<FaultCount>& all, const FaultCount& more) {
   for (FaultCount& fault : all) {
     if (fault.module != more.module || fault.number != more.number) continue;
@@ -34,6 +43,7 @@ void add(MonitorEntry& all, const MonitorEntry& more) {
 
 void merge(RunRecord& all, const RunRecord& more) {
   for (const OwnTime& own : more.own_times) add(all.own_times, own);
+  for (const RoutineTime& routine : more.routine_times) add(all.routine_times, routine);
   for (std::size_t i = 0; i < all.loop_passes.size() && i < more.loop_passes.size(); ++i)
     all.loop_passes[i] = std::max(all.loop_passes[i], more.loop_passes[i]);
   for (const FaultCount& fault : more.faults) add(all.faults, fault);

@@ -32,6 +32,13 @@ struct OwnTime {
   Duration longest;
 };
 
+/// The longest time that one run of an interrupt routine took by itself, from the begin of stacking to the end of
+/// unstacking.
+struct RoutineTime {
+  std::uint32_t exception = 0;
+  Duration longest;
+};
+
 /// What a bus did from the end of the bring-up on.
 struct BusTraffic {
   Duration window;              ///< for so long
@@ -116,6 +123,7 @@ struct RunRecord {
   double clock_ppm = 0;                    ///< how much too fast the board's clock ran, which counts all times here
   std::vector<Event> events;               ///< in time order
   std::vector<OwnTime> own_times;          ///< of stages that ran; emulated board only
+  std::vector<RoutineTime> routine_times;  ///< of routines that ran; emulated board only
   std::vector<std::uint64_t> loop_passes;  ///< most of each loop that is watched; emulated board only
   std::vector<std::uint64_t> overruns;     ///< per bucket
   std::vector<BusRecord> buses;

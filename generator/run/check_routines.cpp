@@ -1,0 +1,130 @@
+#include "generator/run/check_routines.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/image/exception.hpp"
+#include "generator/tasks/robot_buses.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+std::uint32_t exception_for(const InterruptLine& line) { return exception_of(static_cast<std::uint32_t>(line.number)); }
+
+/// The longest run of a routine that `is_one` is true for.
+template <class IsOne>
+Duration longest_of(const RunRecord& record, const IsOne& is_one) {
+  Duration longest;
+  for (const RoutineTime& routine : record.routine_times) {
+    if (is_one(routine.exception)) longest = std::max(longest, routine.longest);
+  }
+  return longest;
+}
+
+/// What a run may take that the model says takes this long: entry and exit are in what was seen.
+bool is_above(Duration seen, Duration wcet, const timing::Model& model) { return seen > wcet + model.costs.interrupt; }
+
+bool check_bus(const Bus& bus, const Port& port, const timing::Model& model, const RunRecord& record,
+               Diagnostics& diagnostics) {
+  bool holds = true;
+  for (const InterruptLine& line : port.interrupts) {
+    const Duration seen = longest_of(record, [&](std::uint32_t exception) { return exception == exception_for(line); });
+    if (!is_above(seen, *bus.isr_wcet, model)) continue;
+    holds = false;
+    diagnostics
+        .error(code::wcet_exceeded, bus.at,
+               fmt::format(
+                   "bus '{}': its routine for {} took {} us by itself, entry and exit included, its isr_wcet is {}",
+                   bus.name.text, line.name, seen.ns() / 1000.0, units::format_duration(*bus.isr_wcet)))
+        .hint("leave isr_wcet out: then the figures of the driver count");
+  }
+  return holds;
+}
+
+/// Whether the bounds rest on what the robot says of the routines of its bus.
+bool is_declared(const timing::Bus& bus) {
+  return bus.sources &&
+         std::any_of(bus.sources->begin(), bus.sources->end(), [](const timing::InterruptSource& source) {
+           return source.source == timing::WcetSource::declared;
+         });
+}
+
+/// Lines that interrupt by a pin, of which one routine serves several.
+class PinRoutines {
+ public:
+  PinRoutines(const Robot& robot, const Schedule& schedule) {
+    for (const Bucket& bucket : schedule.buckets) others_.push_back(exception_of(bucket.line));
+    for (const Bus& bus : robot.buses) {
+      const Port* port = robot.board->port(bus.port);
+      if (port == nullptr) continue;
+      for (const InterruptLine& line : port->interrupts) others_.push_back(exception_for(line));
+    }
+  }
+
+  [[nodiscard]] bool contains(std::uint32_t exception) const {
+    return exception > kSysTickException && std::find(others_.begin(), others_.end(), exception) == others_.end();
+  }
+
+ private:
+  std::vector<std::uint32_t> others_;
+};
+
+/// What the types of devices say of the routines of their pins.
+struct PinWork {
+  Position at;    ///< of the first of them
+  Duration wcet;  ///< of all together
+};
+
+/// None: the image bounds them, or there are none.
+std::optional<PinWork> declared_pin_work(const Robot& robot, const timing::Model& model) {
+  const auto owner = [&](const timing::InterruptSource& source) {
+    return std::find_if(robot.devices.begin(), robot.devices.end(),
+                        [&](const Device& device) { return source.name.rfind(device.name.text + ": ", 0) == 0; });
+  };
+  std::optional<PinWork> work;
+  for (const timing::Bus& bus : model.buses) {
+    for (const timing::InterruptSource& source : bus.sources.value_or(std::vector<timing::InterruptSource>())) {
+      const auto device = owner(source);
+      if (source.source == timing::WcetSource::computed || device == robot.devices.end()) continue;
+      if (!work) work = PinWork{device->at, {}};
+      work->wcet += source.wcet;
+    }
+  }
+  return work;
+}
+
+bool check_pins(const Robot& robot, const Schedule& schedule, const timing::Model& model, const RunRecord& record,
+                Diagnostics& diagnostics) {
+  const auto declared = declared_pin_work(robot, model);
+  const PinRoutines pins(robot, schedule);
+  const Duration seen = longest_of(record, [&](std::uint32_t exception) { return pins.contains(exception); });
+  if (!declared || !is_above(seen, declared->wcet, model)) return true;
+  diagnostics
+      .error(code::wcet_exceeded, declared->at,
+             fmt::format("a routine for pins took {} us by itself, entry and exit included, where the types of the "
+                         "devices say {} together",
+                         seen.ns() / 1000.0, units::format_duration(declared->wcet)))
+      .hint("raise \"wcet_ns\" of their \"interrupts\", or leave it out");
+  return false;
+}
+
+}  // namespace
+
+bool check_routines(const Robot& robot, const Schedule& schedule, const timing::Model& model, const RunRecord& record,
+                    Diagnostics& diagnostics) {
+  if (robot.board == nullptr || record.routine_times.empty()) return true;
+  const timing::BusPlaces places(robot);
+  bool holds = true;
+  for (const BusId id : robot.buses.ids()) {
+    const Bus& bus = robot.buses[id];
+    const Port* port = robot.board->port(bus.port);
+    const auto place = places.of(id);
+    if (!bus.isr_wcet || port == nullptr || !place || !is_declared(model.buses[*place])) continue;
+    holds = check_bus(bus, *port, model, record, diagnostics) && holds;
+  }
+  return check_pins(robot, schedule, model, record, diagnostics) && holds;
+}
+
+}  // namespace finemote::gen
