@@ -9,6 +9,7 @@
 #include "generator/model/sample_interval.hpp"
 #include "generator/tasks/robot_costs.hpp"
 #include "generator/tasks/robot_flushes.hpp"
+#include "generator/tasks/slot_turns.hpp"
 #include "generator/tasks/streamed_work.hpp"
 #include "generator/tasks/traffic.hpp"
 
@@ -69,19 +70,13 @@ bool shares_converter(const Robot& robot, const gen::Device& device) {
   });
 }
 
-/// A slot takes one transfer at a time, and between update() and handle() of one job nothing lets the first one end:
-/// where both use it, one of them has to leave out its turn.
 bool may_find_slot_busy(const Robot& robot, const gen::Device& device) {
   const DeviceType& type = *device.type;
   if (!type.acquisition || type.acquisition->published_every > 1) return false;
   const std::vector<Connection> connections = connections_of(device);
   return std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
-    if (bus_type(robot.segments[connection.segment].bus_kind).reach != BusType::Reach::slot) return false;
-    const std::vector<Frame> frames = frames_over(device, connection);
-    const auto any = [&](auto is_so) { return std::any_of(frames.begin(), frames.end(), is_so); };
-    return any([](const Frame& f) { return f.stage == FrameStage::update; }) &&
-           any([](const Frame& f) { return f.stage == FrameStage::handle; }) &&
-           any([](const Frame& f) { return f.stage != FrameStage::autonomous && f.read_bytes > 0; });
+    const SlotTurns turns = slot_turns(robot, device, connection);
+    return turns.all() > 1 && turns.brings;
   });
 }
 

@@ -8,6 +8,7 @@
 #include "generator/model/part_clock.hpp"
 #include "generator/model/shared_frame.hpp"
 #include "generator/model/streamed_frames.hpp"
+#include "generator/tasks/slot_turns.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -112,11 +113,8 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
     model_.devices[place].undeclared.push_back(*bus);
   const WireRate rate{robot_.buses[id].kind, model_.buses[*bus].baud_bps, mover_of(robot_, id),
                       line_format(format_over(device, connection)).bits_per_byte()};
-  std::vector<Unit> units = units_of(robot_, device, frames, rate);
-  const bool is_taken = bus_type(rate.kind).reach == BusType::Reach::slot &&
-                        std::any_of(units.begin(), units.end(),
-                                    [](const Unit& unit) { return unit.stage == FrameStage::update; });
-  for (Unit& unit : units) {
+  const SlotTurns turns = slot_turns(robot_, device, connection);
+  for (Unit& unit : units_of(robot_, device, frames, rate)) {
     if (unit.stage == FrameStage::flush) continue;
     add_selection(connection.segment, rate, unit.use);
     add_transfer(place, *bus, unit.stage, unit.use);
@@ -125,7 +123,8 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
     transfer.reads = unit.stage != FrameStage::autonomous && unit.reads;
     transfer.writes = unit.stage != FrameStage::autonomous && unit.writes;
     transfer.command = unit.stage == FrameStage::handle && unit.writes;
-    transfer.may_wait = transfer.command && is_taken;
+    const std::int64_t rivals = unit.stage == FrameStage::update ? turns.update : turns.all();
+    transfer.waits = std::max<std::int64_t>(rivals - 1, 0);
     if (connection.use == nullptr) transfer.identifier = own_identifier(device, frames, unit.stage);
   }
 }

@@ -74,7 +74,7 @@ Json transfer_json(const Model& model, const Transfer& t) {
   add_if(out, "service_ns", t.service);
   if (t.identifier) out["identifier"] = *t.identifier;
   if (t.command) out["command"] = true;
-  if (t.may_wait) out["may_wait"] = true;
+  if (t.waits != 0) out["waits"] = t.waits;
   if (t.reads) out["reads"] = true;
   if (t.receive) out["receive"] = true;
   return out;

@@ -81,7 +81,7 @@ struct Bus {
 enum class UnknownAge {
   none,              ///< it is known, or there are none
   no_acquisition,    ///< nothing says so
-  busy_slot,         ///< a measurement may find its slot taken by what another stage of the device sends
+  busy_slot,         ///< a measurement may find its slot taken by another transfer of the device
   shared_converter,  ///< another device measures with the same converter, which drops what nobody has taken
 };
 
@@ -97,7 +97,7 @@ struct Transfer {
   Duration service;             ///< how long those routines run, of_transfers: no others do on its bus; 0: not known
   std::int64_t frames = 1;      ///< on a bus that arbitrates: others may go between them
   bool command = false;         ///< carries the device's command: its last bit is the end of a chain
-  bool may_wait = false;        ///< what another stage sent may take its slot: then it leaves with the next job
+  std::int64_t waits = 0;       ///< jobs for which others of the device may take its slot before a command leaves
   bool reads = false;           ///< something comes back
   bool writes = false;          ///< something is sent; known of robots alone
   bool receive = false;         ///< on the receive line of a bus with two lines: meets nothing that is sent

@@ -154,7 +154,7 @@ struct ModelReader::Tables {
       {"frames", Need::target, &Transfer::frames, 1},
       {"service_ns", Need::target, &Transfer::service},
       {"command", Need::target, &Transfer::command},
-      {"may_wait", Need::target, &Transfer::may_wait},
+      {"waits", Need::target, &Transfer::waits},
       {"reads", Need::target, &Transfer::reads},
       {"receive", Need::target, &Transfer::receive},
       {"identifier", Need::target, Whole<Transfer>{&ModelReader::read_identifier}},

@@ -61,7 +61,7 @@ std::string unknown_age_text(const Device& device) {
     return fmt::format("another device measures with the converter of '{}', which drops what nobody has taken yet",
                        device.name);
   return fmt::format(
-      "a measurement of '{}' may find its slot taken by what another stage sends: its type does not say how many in a "
+      "a measurement of '{}' may find its slot taken by another transfer of its own: its type does not say how many in a "
       "row ('published_every' of 'acquisition')",
       device.name);
 }

@@ -84,16 +84,16 @@ std::optional<Duration> WireAnalysis::rest_of_job(Rank device) const {
                     [&](Duration release) { return profile_.table.r_minus(device, release); });
 }
 
-/// From the release of a job, and thus from its handle(), to the end of update(device) of the next one.
-std::optional<Duration> WireAnalysis::next_update(Rank device) const {
+/// From the release of a job, and thus from its handle(), to the end of update(device) of one so many jobs later.
+std::optional<Duration> WireAnalysis::update_after(Rank device, std::int64_t jobs) const {
   if (!profile_.responses.ok(profile_.set.bucket_of[device])) return std::nullopt;
-  return model_.devices[device].period + profile_.responses.r_plus[device];
+  return jobs * model_.devices[device].period + profile_.responses.r_plus[device];
 }
 
-/// The same to the end of handle(device) of the next one.
-std::optional<Duration> WireAnalysis::next_handle(Rank device) const {
+/// The same to the end of handle(device).
+std::optional<Duration> WireAnalysis::handle_after(Rank device, std::int64_t jobs) const {
   if (!profile_.responses.ok(profile_.set.bucket_of[device])) return std::nullopt;
-  return model_.devices[device].period + profile_.responses.r_minus[device];
+  return jobs * model_.devices[device].period + profile_.responses.r_minus[device];
 }
 
 /// The same to the end of the next job.
@@ -121,7 +121,7 @@ std::optional<Duration> WireAnalysis::command(Rank to) const {
   const auto after = [&](std::optional<Duration> first, std::optional<Duration> value) {
     raise(first && value ? std::optional<Duration>(*first + *value) : std::nullopt);
   };
-  if (device.sets_late) after(next_update(to), device.output);
+  if (device.sets_late) after(update_after(to, 1), device.output);
   for (std::size_t t = 0; t < device.transfers.size(); ++t) {
     const Transfer& transfer = device.transfers[t];
     if (!transfer.command) continue;
@@ -129,9 +129,9 @@ std::optional<Duration> WireAnalysis::command(Rank to) const {
     if (transfer.after == Transfer::After::bucket)
       after(rest_of_job(to), bound);
     else if (transfer.after == Transfer::After::update)
-      after(next_update(to), bound);
-    else if (transfer.may_wait)
-      after(next_handle(to), bound);
+      after(update_after(to, transfer.waits + 1), bound);
+    else if (transfer.waits > 0)
+      after(handle_after(to, transfer.waits), bound);
     else
       raise(bound);
   }

@@ -29,8 +29,8 @@ class WireAnalysis {
   [[nodiscard]] std::optional<Duration> asked(Rank from) const;
   [[nodiscard]] bool is_in_the_way(Rank from) const;
   [[nodiscard]] std::optional<Duration> rest_of_job(Rank device) const;
-  [[nodiscard]] std::optional<Duration> next_update(Rank device) const;
-  [[nodiscard]] std::optional<Duration> next_handle(Rank device) const;
+  [[nodiscard]] std::optional<Duration> update_after(Rank device, std::int64_t jobs) const;
+  [[nodiscard]] std::optional<Duration> handle_after(Rank device, std::int64_t jobs) const;
   [[nodiscard]] std::optional<Duration> end_of_next_job(Rank device) const;
   [[nodiscard]] std::optional<Duration> end_of_job(std::size_t bucket, Duration handles, Duration latest,
                                                    const std::function<Duration(Duration release)>& of) const;

@@ -169,3 +169,17 @@ TEST_CASE("the hash of an image is that of the bytes that go into the flash") {
   const auto hashed = finemote::gen::run_process({"sha256sum", bytes}, minute);
   CHECK(hashed.output.substr(0, hashed.output.find(' ')) == built["image"]["sha256"]);
 }
+
+TEST_CASE("a routine that takes longer than the robot says of its bus is named, and the run fails") {
+  const TemporaryFolder folder;
+  const std::string robot = folder.path("r.urdf");
+  const auto with = [&](const std::string& isr_wcet) {
+    write_file(robot, R"(<robot name="r"><link name="base"/><finemote version="1"><board name="robomaster_type_c"/>
+        <bus name="line" type="i2c" port="i2c2" clock="400kHz" isr_wcet=")" +
+                          isr_wcet + R"("/>
+        <device name="depth" type="ms5837" bus="line" period="10ms"/></finemote></robot>)");
+    return robot;
+  };
+  CHECK(reports(run_json(with("2us"), 1), "FM6006"));
+  CHECK_FALSE(reports(run_json(with("20us"), 0), "FM6006"));
+}

@@ -51,12 +51,15 @@ TEST_CASE("a measurement may find its slot taken by another stage of its device,
   CHECK_FALSE(chain(timing, "own", "own").acquire);
   REQUIRE(timing.missing.size() == 1);
   CHECK(timing.missing.front().why ==
-        "a measurement of 'own' may find its slot taken by what another stage sends: its type does not say how many in "
+        "a measurement of 'own' may find its slot taken by another transfer of its own: its type does not say how many in "
         "a row ('published_every' of 'acquisition')");
   const auto told = chain(timing_of(kI2c, R"(type="told_seesaw")"), "own", "own").acquire;
   REQUIRE(told);
   CHECK(*told >= finemote::gen::milliseconds(10));
   CHECK_FALSE(chain(timing_of(kI2c, R"(type="asks_and_sets")"), "own", "own").acquire);
+  const Timing turns = timing_of(kI2c, R"(type="takes_turns")");
+  CHECK_FALSE(chain(turns, "own", "own").acquire);
+  CHECK(chain(turns, "own", "own").wire.value() > finemote::gen::milliseconds(5));
 }
 
 TEST_CASE(
