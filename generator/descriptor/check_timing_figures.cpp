@@ -62,15 +62,20 @@ class TimingCheck {
   void check_asked() const {
     const std::vector<Frame> frames = type_.frames.value_or(std::vector<Frame>());
     const auto is_sent = [](const Frame& frame) { return frame.stage == FrameStage::autonomous; };
-    const auto is_asked = [&](const Frame& frame) { return !is_sent(frame) && frame.read_bytes > 0; };
-    const bool measures = std::any_of(type_.uses.begin(), type_.uses.end(),
-                                      [](const UseSpec& use) { return use.function == "analog"; });
-    if (measures || std::none_of(frames.begin(), frames.end(), is_sent) ||
-        std::any_of(frames.begin(), frames.end(), is_asked))
-      return;
+    const auto is_asked = [&](const Frame& frame) {  // SPI: what is written brings something, too
+      const std::vector<BusKind>& kinds = type_.buses_of(frame);
+      const bool is_spi = std::find(kinds.begin(), kinds.end(), BusKind::spi) != kinds.end();
+      return !is_sent(frame) && (frame.read_bytes > 0 || is_spi);
+    };
+    const auto has_use = [&](const char* function) {
+      return std::any_of(type_.uses.begin(), type_.uses.end(),
+                         [&](const UseSpec& use) { return use.function == function; });
+    };
+    const bool is_told = std::any_of(frames.begin(), frames.end(), is_sent) || has_use("interrupt");
+    if (!is_told || has_use("analog") || std::any_of(frames.begin(), frames.end(), is_asked)) return;
     found_
         .add({"acquisition", "model"},
-             "model 'polled' is of a part that is asked, and all that its frames bring comes by itself")
+             "model 'polled' is of a part that is asked, and all that its frames and lines bring comes by itself")
         .hint("write \"model\": \"streamed\" and \"interval_ns\", the nominal time from one sample to the next");
   }
   /// The sample has to come in something.

@@ -10,6 +10,7 @@
 #include "generator/bus/line_format.hpp"
 #include "generator/descriptor/runtime_limits.hpp"
 #include "generator/model/attributes.hpp"
+#include "generator/model/connection.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/model/shared_frame.hpp"
@@ -174,6 +175,48 @@ void check_rings(Reading& reading) {
   }
 }
 
+/// Bytes that a driver takes in one transfer; none: any number.
+struct Longest {
+  std::optional<std::int64_t> written, read;
+};
+
+Longest longest_of(BusKind kind, const Port& port) {
+  using namespace runtime_limits;
+  if (kind == BusKind::uart) return {kSerialBlock, std::nullopt};
+  if (kind == BusKind::rs485) return {kSerialBlock, kRs485Answer};
+  if (kind == BusKind::spi && !port.dma.empty()) return {kSpiCopy, kSpiCopy};
+  return {};
+}
+
+/// A transfer that the driver refuses never leaves.
+void check_frame(Reading& reading, const Frame& frame, BusId id, DeviceId index, const xml::Node& tag) {
+  const Port* port = reading.buses[id].port;
+  if (port == nullptr || frame.stage == FrameStage::autonomous) return;
+  const Bus& bus = reading.robot.buses[id];
+  const Longest longest = longest_of(bus.kind, *port);
+  const auto check = [&](const char* does, std::int64_t bytes, std::optional<std::int64_t> most) {
+    if (!most || bytes <= *most) return;
+    at_tag(reading.diagnostics, code::bus_full, tag,
+           fmt::format("device '{}' {} {} bytes at once over bus '{}'; its driver takes {}",
+                       reading.robot.devices[index].name.text, does, bytes, bus.name.text, *most))
+        .hint("let its type do so in several transfers, with an entry of \"frames\" for each");
+  };
+  check("writes", frame.write_bytes, longest.written);
+  check("reads", frame.read_bytes, longest.read);
+}
+
+void check_lengths(Reading& reading) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
+    const Device& device = reading.robot.devices[i];
+    if (device.type == nullptr) continue;
+    for (const Connection& connection : connections_of(device)) {
+      const BusId bus = reading.robot.segments[connection.segment].bus;
+      const xml::Node& tag = connection.use != nullptr ? use_tag(reading, i, *connection.use) : reading.device_tag(i);
+      for (const Frame& frame : frames_over(device, connection)) check_frame(reading, frame, bus, i, tag);
+    }
+  }
+}
+
 }  // namespace
 
 void check_driver_limits(Reading& reading) {
@@ -183,6 +226,7 @@ void check_driver_limits(Reading& reading) {
   check_filters(reading);
   check_counts(reading);
   check_rings(reading);
+  check_lengths(reading);
 }
 
 }  // namespace finemote::gen

@@ -23,13 +23,13 @@ std::int64_t slots_of(const Robot& robot, const gen::Device& device, const Conne
 SlotTurns slot_turns(const Robot& robot, const gen::Device& device, const Connection& connection) {
   SlotTurns turns;
   const BusType& type = bus_type(robot.segments[connection.segment].bus_kind);
-  if (type.reach != BusType::Reach::slot) return turns;
+  if (type.unit == nullptr) return turns;
   std::set<std::pair<FrameStage, int>> units;  // begun already, by number
   for (const Frame& frame : frames_over(device, connection)) {
     const bool is_asked = frame.stage == FrameStage::update || frame.stage == FrameStage::handle;
     if (!is_asked) continue;
     turns.brings = turns.brings || frame.read_bytes > 0 || type.kind == BusKind::spi;  // both ways at once
-    const bool is_reply = type.is_arbitrated && frame.write_bytes == 0;
+    const bool is_reply = !type.is_mastered && frame.write_bytes == 0;
     const bool is_begun = frame.unit > 0 && !units.insert({frame.stage, frame.unit}).second;
     if (!is_reply && !is_begun) ++(frame.stage == FrameStage::update ? turns.update : turns.handle);
   }

@@ -4,8 +4,11 @@
 #include "catch.hpp"
 #include "finemote/can.hpp"
 #include "finemote/ports.hpp"
+#include "finemote/rs485.hpp"
 #include "finemote/schedule.hpp"
 #include "generator/bus/bus_type.hpp"
+#include "source_dir.hpp"
+#include "tests/read.hpp"
 
 namespace finemote {
 
@@ -18,6 +21,18 @@ TEST_CASE("the generator knows what the runtime holds") {
   CHECK(gen::bus_type(gen::BusKind::can).most_devices == CanBus::kMaxSlots);
   CHECK(limits::kShortestPwmPeriod.ns() == kShortestPwmPeriod);
   CHECK(limits::kLongestPwmPeriod.ns() == kLongestPwmPeriod);
+  CHECK(limits::kRs485Answer == Rs485Slot::kMaxReply);
+}
+
+TEST_CASE("the generator knows what the drivers of the chip take at once") {
+  const auto figure = [](const std::string& header, const std::string& name) {
+    const std::string text = test::read(test::source_dir() + "/runtime/chips/stm32f4/ports/" + header);
+    const std::size_t at = text.find(" " + name + " = ");
+    REQUIRE(at != std::string::npos);
+    return std::stoll(text.substr(at + name.size() + 4));
+  };
+  CHECK(limits::kSerialBlock == figure("uart_hardware.hpp", "kUartTransmit"));
+  CHECK(limits::kSpiCopy == figure("spi_hardware.hpp", "kSpiCopy"));
 }
 
 }  // namespace finemote

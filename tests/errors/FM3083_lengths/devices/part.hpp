@@ -1,0 +1,1 @@
+// nothing: the descriptor is what is wrong
