@@ -19,6 +19,7 @@
 #include "generator/run/duration.hpp"
 #include "generator/run/emulate.hpp"
 #include "generator/run/execute.hpp"
+#include "generator/run/pin_lines.hpp"
 #include "generator/run/project.hpp"
 #include "generator/run/proven_image.hpp"
 #include "generator/run/run_document.hpp"
@@ -171,10 +172,12 @@ void judge(const PlannedRobot& planned, const std::optional<timing::Timing>& tim
   if (timing) result.wcets_given = analysed_wcets(robot, planned.forest, timing->model);
   const bool declared_hold = !timing || timing->above_declared.empty();
   result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged) && declared_hold;
-  if (timing && !check_routines(robot, planned.schedule, timing->model, result.record, judged))
-    result.wcets_hold = false;
+  if (timing && !check_routines(robot, timing->model, result.record, judged)) result.wcets_hold = false;
   result.loops_hold = check_loops(result.loops, result.record.loop_passes, judged);
-  result.traffic_holds = !result.record.violated.empty() || check_traffic(robot, result.figures.traffic, judged);
+  const bool is_violated = !result.record.violated.empty();
+  result.traffic_holds = is_violated || check_traffic(robot, result.figures.traffic, judged);
+  if (timing && !is_violated && !check_pin_edges(robot, timing->model, result.record, judged))
+    result.traffic_holds = false;
   result.wcets = measured_wcets(robot, result.record);
   result.order = judge_order(robot, planned.schedule, result.record);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/image/exception.hpp"
+#include "generator/run/pin_lines.hpp"
 #include "generator/tasks/robot_buses.hpp"
 #include "generator/units/units.hpp"
 
@@ -51,56 +52,11 @@ bool is_declared(const timing::Bus& bus) {
          });
 }
 
-/// Lines that interrupt by a pin, of which one routine serves several.
-class PinRoutines {
- public:
-  PinRoutines(const Robot& robot, const Schedule& schedule) {
-    for (const Bucket& bucket : schedule.buckets) others_.push_back(exception_of(bucket.line));
-    for (const Bus& bus : robot.buses) {
-      const Port* port = robot.board->port(bus.port);
-      if (port == nullptr) continue;
-      for (const InterruptLine& line : port->interrupts) others_.push_back(exception_for(line));
-    }
-  }
-
-  [[nodiscard]] bool contains(std::uint32_t exception) const {
-    return exception > kSysTickException && std::find(others_.begin(), others_.end(), exception) == others_.end();
-  }
-
- private:
-  std::vector<std::uint32_t> others_;
-};
-
-/// What the types of devices say of the routines of their pins.
-struct PinWork {
-  Position at;    ///< of the first of them
-  Duration wcet;  ///< of all together
-};
-
-/// None: the image bounds them, or there are none.
-std::optional<PinWork> declared_pin_work(const Robot& robot, const timing::Model& model) {
-  const auto owner = [&](const timing::InterruptSource& source) {
-    return std::find_if(robot.devices.begin(), robot.devices.end(),
-                        [&](const Device& device) { return source.name.rfind(device.name.text + ": ", 0) == 0; });
-  };
-  std::optional<PinWork> work;
-  for (const timing::Bus& bus : model.buses) {
-    for (const timing::InterruptSource& source : bus.sources.value_or(std::vector<timing::InterruptSource>())) {
-      const auto device = owner(source);
-      if (source.source == timing::WcetSource::computed || device == robot.devices.end()) continue;
-      if (!work) work = PinWork{device->at, {}};
-      work->wcet += source.wcet;
-    }
-  }
-  return work;
-}
-
-bool check_pins(const Robot& robot, const Schedule& schedule, const timing::Model& model, const RunRecord& record,
-                Diagnostics& diagnostics) {
-  const auto declared = declared_pin_work(robot, model);
-  const PinRoutines pins(robot, schedule);
-  const Duration seen = longest_of(record, [&](std::uint32_t exception) { return pins.contains(exception); });
-  if (!declared || !is_above(seen, declared->wcet, model)) return true;
+bool check_pins(const Robot& robot, const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics) {
+  const auto declared = declared_pin_work(robot, model, record.traffic_window);
+  const std::set<std::uint32_t> pins = pin_exceptions(robot);
+  const Duration seen = longest_of(record, [&](std::uint32_t exception) { return pins.count(exception) != 0; });
+  if (!declared || declared->is_computed || !is_above(seen, declared->wcet, model)) return true;
   diagnostics
       .error(code::wcet_exceeded, declared->at,
              fmt::format("a routine for pins took {} us by itself, entry and exit included, where the types of the "
@@ -112,8 +68,7 @@ bool check_pins(const Robot& robot, const Schedule& schedule, const timing::Mode
 
 }  // namespace
 
-bool check_routines(const Robot& robot, const Schedule& schedule, const timing::Model& model, const RunRecord& record,
-                    Diagnostics& diagnostics) {
+bool check_routines(const Robot& robot, const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics) {
   if (robot.board == nullptr || record.routine_times.empty()) return true;
   const timing::BusPlaces places(robot);
   bool holds = true;
@@ -124,7 +79,7 @@ bool check_routines(const Robot& robot, const Schedule& schedule, const timing::
     if (!bus.isr_wcet || port == nullptr || !place || !is_declared(model.buses[*place])) continue;
     holds = check_bus(bus, *port, model, record, diagnostics) && holds;
   }
-  return check_pins(robot, schedule, model, record, diagnostics) && holds;
+  return check_pins(robot, model, record, diagnostics) && holds;
 }
 
 }  // namespace finemote::gen

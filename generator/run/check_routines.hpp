@@ -3,7 +3,6 @@
 
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/run/record.hpp"
-#include "generator/schedule/schedule.hpp"
 #include "generator/timing/model.hpp"
 
 namespace finemote::gen {
@@ -13,7 +12,6 @@ namespace finemote::gen {
 /// at once. What nobody declares, or the image bounds, is not looked at.
 /// @param model  that the bounds are made of
 /// @return  whether there is none
-bool check_routines(const Robot& robot, const Schedule& schedule, const timing::Model& model, const RunRecord& record,
-                    Diagnostics& diagnostics);
+bool check_routines(const Robot& robot, const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -55,7 +55,13 @@ std::vector<OwnTime> own_times_of(const Json& record, const Forest& forest) {
 /// Rounded up.
 std::vector<RoutineTime> routine_times_of(const Json& record) {
   std::vector<RoutineTime> times;
-  for (const Json& own : record.at("own_exceptions")) times.push_back({own.at(0), picoseconds_up(own.at(1))});
+  for (const Json& own : record.at("own_exceptions")) {
+    RoutineTime& routine = times.emplace_back();
+    routine = {own.at(0), picoseconds_up(own.at(1))};
+    for (const Json& counted : record.at("traffic").at("exceptions")) {
+      if (counted.at(0) == routine.exception) routine.runs = counted.at(1);
+    }
+  }
   return times;
 }
 
@@ -163,6 +169,7 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   record.absent = json.at("absent").get<std::vector<std::string>>();
   record.events = events_of(json, forest);
   record.own_times = own_times_of(json, forest);
+  record.traffic_window = time_of(json.at("traffic").at("ns"));
   record.routine_times = routine_times_of(json);
   record.loop_passes = json.at("loop_passes").get<std::vector<std::uint64_t>>();
   record.overruns = json.at("overruns").get<std::vector<std::uint64_t>>();

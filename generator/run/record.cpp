@@ -18,6 +18,7 @@ void add(std::vector<RoutineTime>& all, const RoutineTime& more) {
   for (RoutineTime& routine : all) {
     if (routine.exception != more.exception) continue;
     routine.longest = std::max(routine.longest, more.longest);
+    routine.runs = std::max(routine.runs, more.runs);
     return;
   }
   all.push_back(more);

@@ -37,6 +37,7 @@ struct OwnTime {
 struct RoutineTime {
   std::uint32_t exception = 0;
   Duration longest;
+  std::int64_t runs = 0;  ///< in `traffic_window`
 };
 
 /// What a bus did from the end of the bring-up on.
@@ -123,6 +124,7 @@ struct RunRecord {
   double clock_ppm = 0;                    ///< how much too fast the board's clock ran, which counts all times here
   std::vector<Event> events;               ///< in time order
   std::vector<OwnTime> own_times;          ///< of stages that ran; emulated board only
+  Duration traffic_window;                 ///< for so long buses and routines were looked at; emulated board only
   std::vector<RoutineTime> routine_times;  ///< of routines that ran; emulated board only
   std::vector<std::uint64_t> loop_passes;  ///< most of each loop that is watched; emulated board only
   std::vector<std::uint64_t> overruns;     ///< per bucket

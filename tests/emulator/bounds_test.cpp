@@ -1,5 +1,6 @@
 // Robots whose bounds were once broken, or would be by a cost that is left out: everything that is judged holds, and no
 // bound holds by being far too large.
+#include <algorithm>
 #include <string>
 
 #include "catch.hpp"
@@ -123,6 +124,16 @@ TEST_CASE("edges of a line delay every job as often as their device declares, wh
   check_holds(run(source_path("tests/emulator/bounds/edges.urdf"), "80ms", {"--scenario", file}));
   write_file(file, edges(times_about_releases(), 20, 5'500));
   check_holds(run(source_path("tests/emulator/bounds/burst.urdf"), "80ms", {"--scenario", file}));
+}
+
+TEST_CASE("more edges of pins than devices declare are said to be so") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path("edges.json");
+  write_file(file, edges(times_about_releases(), 1'100, 9'000));
+  const Ran ran = run(source_path("tests/emulator/bounds/edges.urdf"), "80ms", {"--scenario", file});
+  CHECK(ran.exit_status == 1);
+  const Json& findings = ran.document["diagnostics"];
+  CHECK(std::any_of(findings.begin(), findings.end(), [](const Json& one) { return one["code"] == "FM6015"; }));
 }
 
 TEST_CASE("no age that the firmware claims is above the bound it is built with") {
