@@ -46,7 +46,8 @@ def add_costs(model, bounds):
         routines = [at_once * bus["wcet_ns"]]
         if "sources" in bus:  # a request has as many frames in its figure
             routines = [s["wcet_ns"] * (1 if s["name"] == "request" else at_once) for s in bus["sources"]]
-        bounds[bus["name"], "routine", "interrupt"] = max(routines) + costs["interrupt_ns"]
+        if routines:  # what nobody interrupts for has none
+            bounds[bus["name"], "routine", "interrupt"] = max(routines) + costs["interrupt_ns"]
     for period in periods:
         devices = [device for device in model["devices"] if device["period_ns"] == period]
         around = costs["job_ns"] + 2 * len(devices) * costs["stage_ns"]
