@@ -19,7 +19,6 @@
 #include "generator/run/duration.hpp"
 #include "generator/run/emulate.hpp"
 #include "generator/run/execute.hpp"
-#include "generator/run/pin_lines.hpp"
 #include "generator/run/project.hpp"
 #include "generator/run/proven_image.hpp"
 #include "generator/run/run_document.hpp"
@@ -174,10 +173,12 @@ void judge(const PlannedRobot& planned, const std::optional<timing::Timing>& tim
   result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged) && declared_hold;
   if (timing && !check_routines(robot, timing->model, result.record, judged)) result.wcets_hold = false;
   result.loops_hold = check_loops(result.loops, result.record.loop_passes, judged);
-  const bool is_violated = !result.record.violated.empty();
-  result.traffic_holds = is_violated || check_traffic(robot, result.figures.traffic, judged);
-  if (timing && !is_violated && !check_pin_edges(robot, timing->model, result.record, judged))
-    result.traffic_holds = false;
+  if (result.record.violated.empty()) {
+    const bool bus_traffic_holds = check_traffic(robot, result.figures.traffic, judged);
+    result.traffic_holds = check_pin_edges(result.figures.pins, judged) && bus_traffic_holds;
+  } else {
+    result.traffic_holds = true;
+  }
   result.wcets = measured_wcets(robot, result.record);
   result.order = judge_order(robot, planned.schedule, result.record);
 }

@@ -46,7 +46,8 @@ class TimingCheck {
     if (acquisition.model == Acquisition::Model::streamed) {
       check_rate(acquisition);
       check_stream();
-      for (const char* member : {"periods", "published_every", "conversion"}) check_absent(member, "polled");
+      for (const char* member : {"periods", "conversion"}) check_absent(member, "polled");
+      if (!is_asked()) check_absent("published_every", "polled");
       return;
     }
     if (!acquisition.periods) {
@@ -56,28 +57,16 @@ class TimingCheck {
           .hint("where update() begins a measurement and the next update() publishes it: \"periods\": 1");
     }
     for (const char* member : {"interval_ns", "interval_param"}) check_absent(member, "streamed");
-    check_asked();
   }
-  /// How often the samples of a part come that only sends by itself is nothing that the device decides.
-  void check_asked() const {
+
+  /// Stages of the device send something.
+  [[nodiscard]] bool is_asked() const {
     const std::vector<Frame> frames = type_.frames.value_or(std::vector<Frame>());
-    const auto is_sent = [](const Frame& frame) { return frame.stage == FrameStage::autonomous; };
-    const auto is_asked = [&](const Frame& frame) {  // SPI: what is written brings something, too
-      const std::vector<BusKind>& kinds = type_.buses_of(frame);
-      const bool is_spi = std::find(kinds.begin(), kinds.end(), BusKind::spi) != kinds.end();
-      return !is_sent(frame) && (frame.read_bytes > 0 || is_spi);
-    };
-    const auto has_use = [&](const char* function) {
-      return std::any_of(type_.uses.begin(), type_.uses.end(),
-                         [&](const UseSpec& use) { return use.function == function; });
-    };
-    const bool is_told = std::any_of(frames.begin(), frames.end(), is_sent) || has_use("interrupt");
-    if (!is_told || has_use("analog") || std::any_of(frames.begin(), frames.end(), is_asked)) return;
-    found_
-        .add({"acquisition", "model"},
-             "model 'polled' is of a part that is asked, and all that its frames and lines bring comes by itself")
-        .hint("write \"model\": \"streamed\" and \"interval_ns\", the nominal time from one sample to the next");
+    return std::any_of(frames.begin(), frames.end(), [](const Frame& frame) {
+      return frame.stage == FrameStage::update || frame.stage == FrameStage::handle;
+    });
   }
+
   /// The sample has to come in something.
   void check_stream() const {
     if (type_.buses.empty() || !type_.frames) return;
@@ -186,6 +175,10 @@ class TimingCheck {
       found_
           .add(path, "a frame of stage 'flush' is one that several devices fill: it needs \"identifier\", on a CAN bus")
           .hint("what a device sends behind its own handle() is of stage 'handle'");
+    }
+    if (frame.stage == FrameStage::flush && frame.read_bytes > 0) {
+      found_.add(path, "nothing comes back within a frame that several devices fill")
+          .hint("what each part answers is an entry of its own: { \"stage\": \"handle\", \"read\": 8 }");
     }
     if (frame.stage != FrameStage::autonomous) return;
     const std::vector<BusKind>& kinds = type_.buses_of(frame);

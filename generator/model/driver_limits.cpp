@@ -180,11 +180,11 @@ struct Longest {
   std::optional<std::int64_t> written, read;
 };
 
-Longest longest_of(BusKind kind, const Port& port) {
+Longest longest_of(BusKind kind, const Port& port, bool in_dma_memory) {
   using namespace runtime_limits;
   if (kind == BusKind::uart) return {kSerialBlock, std::nullopt};
   if (kind == BusKind::rs485) return {kSerialBlock, kRs485Answer};
-  if (kind == BusKind::spi && !port.dma.empty()) return {kSpiCopy, kSpiCopy};
+  if (kind == BusKind::spi && !port.dma.empty() && !in_dma_memory) return {kSpiCopy, kSpiCopy};
   return {};
 }
 
@@ -193,7 +193,7 @@ void check_frame(Reading& reading, const Frame& frame, BusId id, DeviceId index,
   const Port* port = reading.buses[id].port;
   if (port == nullptr || frame.stage == FrameStage::autonomous) return;
   const Bus& bus = reading.robot.buses[id];
-  const Longest longest = longest_of(bus.kind, *port);
+  const Longest longest = longest_of(bus.kind, *port, frame.in_dma_memory);
   const auto check = [&](const char* does, std::int64_t bytes, std::optional<std::int64_t> most) {
     if (!most || bytes <= *most) return;
     at_tag(reading.diagnostics, code::bus_full, tag,

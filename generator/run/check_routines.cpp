@@ -56,17 +56,15 @@ bool is_declared(const timing::Bus& bus) {
          });
 }
 
-bool check_pins(const Robot& robot, const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics) {
-  const auto declared = declared_pin_work(robot, model, record.traffic_window);
-  const std::set<std::uint32_t> pins = pin_exceptions(robot);
-  const Duration seen = longest_of(record, [&](std::uint32_t exception) { return pins.count(exception) != 0; });
-  if (!declared || declared->is_computed || !is_above(seen, declared->wcet, model)) return true;
+bool check_pins(const PinLine& line, const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics) {
+  const Duration seen = longest_of(record, [&](std::uint32_t exception) { return exception == line.exception; });
+  if (!line.is_assumed || !is_above(seen, line.wcet, model)) return true;
   diagnostics
-      .error(code::wcet_exceeded, declared->at,
-             fmt::format("a routine for pins took {} us by itself, entry and exit included, where the types of the "
-                         "devices say {} together",
-                         seen.ns() / 1000.0, units::format_duration(declared->wcet)))
-      .hint("raise \"wcet_ns\" of their \"interrupts\", or leave it out");
+      .error(code::wcet_exceeded, line.at,
+             fmt::format("the routine for the pins of {} took {} us by itself, entry and exit included, where {} are "
+                         "declared or assumed",
+                         line.devices, seen.ns() / 1000.0, units::format_duration(line.wcet)))
+      .hint("let \"wcet_ns\" of \"interrupts\" in the descriptor say how long it takes");
   return false;
 }
 
@@ -83,7 +81,9 @@ bool check_routines(const Robot& robot, const timing::Model& model, const RunRec
     if (!bus.isr_wcet || port == nullptr || !place || !is_declared(model.buses[*place])) continue;
     holds = check_bus(bus, *port, model, record, diagnostics) && holds;
   }
-  return check_pins(robot, model, record, diagnostics) && holds;
+  for (const PinLine& line : pin_lines(robot, model, record.traffic_window))
+    holds = check_pins(line, model, record, diagnostics) && holds;
+  return holds;
 }
 
 }  // namespace finemote::gen

@@ -30,6 +30,7 @@ RunFigures figures_of(const Robot& robot, const Forest& forest, const timing::Ti
   if (is_bound) figures.responses = measure_responses(robot, forest, *timing, record);
   if (is_bound) figures.claims = measure_claims(robot, forest, record);
   if (is_bound) figures.traffic = measure_traffic(robot, timing->model, record);
+  if (is_bound) figures.pins = measure_pins(robot, timing->model, record);
   return figures;
 }
 
@@ -41,6 +42,7 @@ void merge(RunFigures& all, const RunFigures& more) {
   merge(all.responses, more.responses, kResponseFigures);
   for (std::size_t i = 0; i < all.claims.size(); ++i) merge(all.claims[i].lead, more.claims[i].lead);
   merge(all.traffic, more.traffic);
+  merge(all.pins, more.pins);
 }
 
 }  // namespace finemote::gen

@@ -6,6 +6,7 @@
 
 #include "generator/run/chains.hpp"
 #include "generator/run/claims.hpp"
+#include "generator/run/pin_lines.hpp"
 #include "generator/run/responses.hpp"
 #include "generator/run/traffic.hpp"
 
@@ -17,6 +18,7 @@ struct RunFigures {
   std::vector<MeasuredResponse> responses;  ///< empty where nothing is held to bounds
   std::vector<MeasuredClaim> claims;        ///< the same
   std::vector<MeasuredTraffic> traffic;     ///< the same
+  std::vector<MeasuredPins> pins;           ///< the same
 };
 
 /// Of one run, from the end of its bring-up on.

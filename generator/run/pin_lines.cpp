@@ -27,12 +27,15 @@ std::optional<std::uint32_t> line_of(const std::string& pin) {
 /// The clock of the board is off by less.
 constexpr Duration with_clock_error(Duration window) { return window + ceil_div(window, 1'000); }
 
-/// The device that a line of interrupts is of; none: a driver's.
-const Device* owner(const Robot& robot, const timing::InterruptSource& source) {
-  const auto found = std::find_if(robot.devices.begin(), robot.devices.end(), [&](const Device& device) {
-    return source.name.rfind(device.name.text + ": ", 0) == 0;
-  });
-  return found == robot.devices.end() ? nullptr : &*found;
+/// What the model has of an entry of a type's `interrupts`; null: it is documentation.
+const timing::InterruptSource* source_of(const timing::Model& model, const std::string& name) {
+  for (const timing::Bus& bus : model.buses) {
+    if (!bus.sources) continue;
+    const auto found = std::find_if(bus.sources->begin(), bus.sources->end(),
+                                    [&](const timing::InterruptSource& source) { return source.name == name; });
+    if (found != bus.sources->end()) return &*found;
+  }
+  return nullptr;
 }
 
 std::int64_t most_runs(const timing::Model& model, const timing::InterruptSource& source, Duration window) {
@@ -43,53 +46,74 @@ std::int64_t most_runs(const timing::Model& model, const timing::InterruptSource
   return runs;
 }
 
+/// Adds an entry of a device's type to the lines so far.
+void add_entry(const Device& device, const Interrupt& entry, const timing::Model& model, Duration window,
+               std::vector<PinLine>& lines) {
+  const auto use =
+      std::find_if(device.uses.begin(), device.uses.end(), [&](const Use& one) { return one.spec->role == entry.use; });
+  const timing::InterruptSource* source = source_of(model, device.name.text + ": " + entry.source);
+  if (use == device.uses.end() || use->named == nullptr || source == nullptr) return;
+  const auto number = line_of(use->named->pin);
+  if (!number) return;
+  auto line = std::find_if(lines.begin(), lines.end(),
+                           [&](const PinLine& one) { return one.exception == exception_of(*number); });
+  if (line == lines.end()) line = lines.insert(line, PinLine{exception_of(*number), device.at});
+  line->devices += (line->devices.empty() ? "'" : ", '") + device.name.text + "'";
+  line->wcet += source->wcet;
+  line->is_assumed = line->is_assumed && source->source != timing::WcetSource::computed;
+  line->runs = add(line->runs, most_runs(model, *source, window));
+}
+
 }  // namespace
 
-std::set<std::uint32_t> pin_exceptions(const Robot& robot) {
-  std::set<std::uint32_t> all;
-  for (const Device& device : robot.devices) {
-    for (const Use& use : device.uses) {
-      const auto line =
-          use.spec->function == "interrupt" && use.named != nullptr ? line_of(use.named->pin) : std::nullopt;
-      if (line) all.insert(exception_of(*line));
+std::vector<PinLine> pin_lines(const Robot& robot, const timing::Model& model, Duration window) {
+  std::vector<PinLine> lines;
+  try {
+    for (const Device& device : robot.devices) {
+      if (device.type == nullptr) continue;
+      for (const Interrupt& entry : device.type->interrupts)
+        add_entry(device, entry, model, with_clock_error(window), lines);
     }
+  } catch (const Overflow&) {
+    lines.clear();
+  }
+  return lines;
+}
+
+std::vector<MeasuredPins> measure_pins(const Robot& robot, const timing::Model& model, const RunRecord& record) {
+  std::vector<MeasuredPins> all;
+  for (PinLine& line : pin_lines(robot, model, record.traffic_window)) {
+    std::int64_t seen = 0;
+    for (const RoutineTime& routine : record.routine_times) {
+      if (routine.exception == line.exception) seen = routine.runs;
+    }
+    const std::int64_t most = line.runs;
+    all.push_back({std::move(line), record.traffic_window, {seen, most}});
   }
   return all;
 }
 
-std::optional<PinWork> declared_pin_work(const Robot& robot, const timing::Model& model, Duration window) {
-  std::optional<PinWork> work;
-  for (const timing::Bus& bus : model.buses) {
-    for (const timing::InterruptSource& source : bus.sources.value_or(std::vector<timing::InterruptSource>())) {
-      const Device* device = owner(robot, source);
-      if (device == nullptr) continue;
-      if (!work) work = PinWork{device->at, {}, true, 0};
-      work->wcet += source.wcet;
-      work->is_computed = work->is_computed && source.source == timing::WcetSource::computed;
-      work->runs = add(work->runs, most_runs(model, source, with_clock_error(window)));
-    }
+void merge(std::vector<MeasuredPins>& all, const std::vector<MeasuredPins>& more) {
+  for (std::size_t i = 0; i < all.size() && i < more.size(); ++i) {
+    const bool is_first = more[i].runs.judged() == Judgement::broken && all[i].runs.judged() != Judgement::broken;
+    if (is_first) all[i] = more[i];
   }
-  return work;
 }
 
-bool check_pin_edges(const Robot& robot, const timing::Model& model, const RunRecord& record,
-                     Diagnostics& diagnostics) {
-  const auto declared = declared_pin_work(robot, model, record.traffic_window);
-  const std::set<std::uint32_t> pins = pin_exceptions(robot);
-  std::int64_t seen = 0;
-  for (const RoutineTime& routine : record.routine_times) {
-    if (pins.count(routine.exception) != 0) seen += routine.runs;
+bool check_pin_edges(const std::vector<MeasuredPins>& pins, Diagnostics& diagnostics) {
+  bool holds = true;
+  for (const MeasuredPins& measured : pins) {
+    if (measured.runs.judged() != Judgement::broken) continue;
+    holds = false;
+    diagnostics
+        .error(code::undeclared_traffic, measured.line.at,
+               fmt::format("the pins of {} interrupt more often than is declared: in {:.3f} ms {} times, where what is "
+                           "declared makes {} at most",
+                           measured.line.devices, measured.window.ns() / 1e6, measured.runs.seen, *measured.runs.most))
+        .note("bounds of all that these interrupts delay are made from what is declared")
+        .hint("let 'interrupts' in the descriptor say how often its line interrupts");
   }
-  if (!declared || seen <= declared->runs) return true;
-  diagnostics
-      .error(
-          code::undeclared_traffic, declared->at,
-          fmt::format("pins interrupt more often than devices declare: in {:.3f} ms {} times, where what is declared "
-                      "makes {} at most",
-                      record.traffic_window.ns() / 1e6, seen, declared->runs))
-      .note("bounds of all that these interrupts delay are made from what is declared")
-      .hint("let 'interrupts' in the descriptors say how often their lines interrupt");
-  return false;
+  return holds;
 }
 
 }  // namespace finemote::gen

@@ -1,33 +1,45 @@
-// Pins that interrupt: which exceptions their routines are, and what devices declare of them.
+// Pins that interrupt: what devices declare of them, and how often they did.
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <set>
+#include <string>
+#include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/run/record.hpp"
+#include "generator/run/traffic.hpp"
 #include "generator/timing/model.hpp"
 
 namespace finemote::gen {
 
-/// Of all pins that devices of the robot let interrupt: EXTI, vector table of the STM32F407 (RM0090 12.2, table 62).
-std::set<std::uint32_t> pin_exceptions(const Robot& robot);
-
-/// What the types of devices say of the routines of their pins, or what is assumed where they do not.
-struct PinWork {
-  Position at;               ///< of the first of them
-  Duration wcet;             ///< of one run for each of all
-  bool is_computed = false;  ///< the image bounds it
-  std::int64_t runs = 0;     ///< in the window, at most
+/// One routine, which may serve the pins of several devices.
+struct PinLine {
+  std::uint32_t exception = 0;  ///< EXTI in the vector table of the STM32F407 (RM0090 12.2, table 62)
+  Position at;                  ///< the first device with a pin there
+  std::string devices = {};     ///< `'counter', 'key'`
+  Duration wcet = {};           ///< of one run for each of them
+  bool is_assumed = true;       ///< by all of their types or by us: the image does not bound it
+  std::int64_t runs = 0;        ///< in the window, at most
 };
 
-/// None: no device lets a pin interrupt. May throw Overflow.
+/// Of all devices that let pins interrupt; empty, too, where the numbers are too large.
 /// @param window  for so long edges are counted
-std::optional<PinWork> declared_pin_work(const Robot& robot, const timing::Model& model, Duration window);
+std::vector<PinLine> pin_lines(const Robot& robot, const timing::Model& model, Duration window);
 
-/// Reports FM6015 where pins interrupted more often than that: bounds are made from less.
-/// @return  whether they did not
-bool check_pin_edges(const Robot& robot, const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics);
+struct MeasuredPins {
+  PinLine line;
+  Duration window;
+  Declared<std::int64_t> runs;
+};
+
+/// Of one run on the emulated board.
+std::vector<MeasuredPins> measure_pins(const Robot& robot, const timing::Model& model, const RunRecord& record);
+
+/// Adds another run: what it shows counts where it is above what is declared, and nothing was so far.
+void merge(std::vector<MeasuredPins>& all, const std::vector<MeasuredPins>& more);
+
+/// Reports FM6015 for every line that interrupted more often than is declared: bounds are made from less.
+/// @return  whether there is none
+bool check_pin_edges(const std::vector<MeasuredPins>& pins, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

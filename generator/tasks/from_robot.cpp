@@ -7,9 +7,9 @@
 #include "generator/model/conversion.hpp"
 #include "generator/model/part_clock.hpp"
 #include "generator/model/sample_interval.hpp"
+#include "generator/tasks/frame_units.hpp"
 #include "generator/tasks/robot_costs.hpp"
 #include "generator/tasks/robot_flushes.hpp"
-#include "generator/tasks/slot_turns.hpp"
 #include "generator/tasks/streamed_work.hpp"
 #include "generator/tasks/traffic.hpp"
 
@@ -46,12 +46,23 @@ bool reads_past_of_pins(const gen::Device& device) {
   });
 }
 
+/// SPI works both ways at once: where nobody commands the part, what it is sent are questions.
+bool asks_over_spi(const Robot& robot, const gen::Device& device) {
+  const std::vector<Connection> connections = connections_of(device);
+  return !device.type->has_command() &&
+         std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
+           return robot.segments[connection.segment].bus_kind == BusKind::spi &&
+                  turns_of(frame_units(frames_over(device, connection), BusKind::spi)) > 0;
+         });
+}
+
 /// What a part sends, what a converter measured, and when an edge came, goes into the state that others see some time
 /// after it was so.
-bool has_no_acquisition(const gen::Device& device) {
+bool has_no_acquisition(const Robot& robot, const gen::Device& device) {
   const DeviceType& type = *device.type;
   const std::vector<Frame> frames = type.frames.value_or(std::vector<Frame>());
-  const bool is_late = std::any_of(frames.begin(), frames.end(), brings) || reads_past_of_pins(device);
+  const bool is_late =
+      std::any_of(frames.begin(), frames.end(), brings) || reads_past_of_pins(device) || asks_over_spi(robot, device);
   return !type.acquisition && !type.provides.empty() && is_late;
 }
 
@@ -70,19 +81,42 @@ bool shares_converter(const Robot& robot, const gen::Device& device) {
   });
 }
 
+/// A driver takes one request of a device at a time, and nothing lets one end within a job: with more of them in a job,
+/// one that measures may have to leave out its turn.
 bool may_find_slot_busy(const Robot& robot, const gen::Device& device) {
   const DeviceType& type = *device.type;
   if (!type.acquisition || type.acquisition->published_every > 1) return false;
   const std::vector<Connection> connections = connections_of(device);
   return std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
-    const SlotTurns turns = slot_turns(robot, device, connection);
-    return turns.all() > 1 && turns.brings;
+    const BusKind kind = robot.segments[connection.segment].bus_kind;
+    if (bus_type(kind).unit == nullptr) return false;
+    const std::vector<FrameUnit> units = frame_units(frames_over(device, connection), kind);
+    return turns_of(units) > 1 &&
+           std::any_of(units.begin(), units.end(), [](const FrameUnit& unit) { return unit.is_asked() && unit.reads; });
   });
+}
+
+/// Its type says that it is asked, and all that comes from it comes by itself.
+bool is_never_asked(const Robot& robot, const gen::Device& device) {
+  const DeviceType& type = *device.type;
+  if (!type.acquisition || type.acquisition->model != gen::Acquisition::Model::polled || measures_pins(device))
+    return false;
+  bool is_sent = std::any_of(type.interrupts.begin(), type.interrupts.end(),
+                             [](const Interrupt& entry) { return entry.is_autonomous && !entry.use.empty(); });
+  for (const Connection& connection : connections_of(device)) {
+    for (const FrameUnit& unit :
+         frame_units(frames_over(device, connection), robot.segments[connection.segment].bus_kind)) {
+      if (unit.is_asked() && unit.reads) return false;
+      is_sent = is_sent || unit.stage == FrameStage::autonomous;
+    }
+  }
+  return is_sent;
 }
 
 UnknownAge unknown_age(const Robot& robot, const gen::Device& device) {
   if (device.type == nullptr) return UnknownAge::none;
-  if (has_no_acquisition(device)) return UnknownAge::no_acquisition;
+  if (has_no_acquisition(robot, device)) return UnknownAge::no_acquisition;
+  if (is_never_asked(robot, device)) return UnknownAge::never_asked;
   if (shares_converter(robot, device)) return UnknownAge::shared_converter;
   return may_find_slot_busy(robot, device) ? UnknownAge::busy_slot : UnknownAge::none;
 }
@@ -93,13 +127,13 @@ std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device&
   const gen::Acquisition& given = *device.type->acquisition;
   Acquisition result;
   result.fixed = longest_counted(robot, given.latency);
+  result.every = given.published_every;
   const Duration converter = measures_pins(device) ? robot.board->analog_conversion : Duration::zero();
   if (given.model == gen::Acquisition::Model::streamed) {
     result.interval = longest_of_part(robot, device, sample_interval(device).value_or(Duration::zero()));
     result.conversion = longest_counted(robot, converter);
   } else {
     result.periods = given.periods.value_or(1);
-    result.every = given.published_every;
     result.conversion = longest_counted(robot, std::max(conversion_time(device), converter));
   }
   return result;

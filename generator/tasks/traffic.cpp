@@ -1,14 +1,13 @@
 #include "generator/tasks/traffic.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/line_format.hpp"
 #include "generator/model/part_clock.hpp"
 #include "generator/model/shared_frame.hpp"
 #include "generator/model/streamed_frames.hpp"
-#include "generator/tasks/slot_turns.hpp"
+#include "generator/tasks/frame_units.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -16,42 +15,27 @@ namespace {
 /// Of what software asks for: nothing but how often it does bounds it.
 constexpr Duration kAnyDistance = nanoseconds(1);
 
-/// Frames that go over a bus together.
-struct Unit {
-  FrameStage stage = FrameStage::update;
-  WireUse use;
-  bool reads = false, writes = false;
-};
-
 /// It answers the frame that its device fills together with others.
 bool is_reply(const gen::Device& device, const Frame& frame, const WireRate& rate) {
   return bus_type(rate.kind).is_arbitrated && frame.write_bytes == 0 && frame.read_bytes > 0 && shared_frame_of(device);
 }
 
-/// In the order of their stages' names: frames of one unit of one stage together, those of unit 0 alone.
-std::vector<Unit> units_of(const Robot& robot, const gen::Device& device, const std::vector<Frame>& frames,
-                           const WireRate& rate) {
-  std::map<std::pair<std::string_view, int>, Unit> units;
-  int alone = -1;
-  for (const Frame& frame : frames) {
-    Unit& unit = units[{to_string(frame.stage), frame.unit > 0 ? frame.unit : alone--}];
-    unit.stage = frame.stage;
+/// What a unit of a device asks of its bus.
+WireUse use_of(const Robot& robot, const gen::Device& device, const FrameUnit& unit, const WireRate& rate) {
+  WireUse use;
+  for (const Frame& frame : unit.frames) {
     if (frame.stage == FrameStage::autonomous)
-      unit.use.add_sent(rate, std::max(frame.write_bytes, frame.read_bytes));
+      use.add_sent(rate, std::max(frame.write_bytes, frame.read_bytes));
     else if (is_reply(device, frame, rate))
-      unit.use.add_reply(rate, frame.read_bytes);
+      use.add_reply(rate, frame.read_bytes);
     else
-      unit.use.add(rate, frame.write_bytes, frame.read_bytes);
-    unit.reads = unit.reads || frame.read_bytes > 0;
-    unit.writes = unit.writes || frame.write_bytes > 0;
+      use.add(rate, frame.write_bytes, frame.read_bytes);
     if (frame.stage != FrameStage::autonomous) continue;
     const Duration apart = shortest_interval(robot, device, frame).value_or(device.period);
-    const bool is_first = unit.use.min_interval == Duration::zero();
-    unit.use.min_interval = is_first ? apart : std::min(unit.use.min_interval, apart);
+    const bool is_first = use.min_interval == Duration::zero();
+    use.min_interval = is_first ? apart : std::min(use.min_interval, apart);
   }
-  std::vector<Unit> list;
-  for (const auto& [key, unit] : units) list.push_back(unit);
-  return list;
+  return use;
 }
 
 /// Of the one frame that a part on CAN sends by itself; none where it may be another.
@@ -107,36 +91,42 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
     user_[*bus] = place;
     allow_events(*bus, place);
   }
+  Device& own = model_.devices[place];
   const std::vector<Frame> frames = frames_over(device, connection);
   const BusId id = places_.buses()[*bus];
   if (bus_type(robot_.buses[id].kind).unit != nullptr && !is_declared(robot_, device, connection))
-    model_.devices[place].undeclared.push_back(*bus);
+    own.undeclared.push_back(*bus);
   const WireRate rate{robot_.buses[id].kind, model_.buses[*bus].baud_bps, mover_of(robot_, id),
                       line_format(format_over(device, connection)).bits_per_byte()};
-  const SlotTurns turns = slot_turns(robot_, device, connection);
-  for (Unit& unit : units_of(robot_, device, frames, rate)) {
+  const auto slot = static_cast<std::int64_t>(1 + own.transfers.size());  // of this connection alone
+  for (const FrameUnit& unit : frame_units(frames, rate.kind)) {
     if (unit.stage == FrameStage::flush) continue;
-    add_selection(connection.segment, rate, unit.use);
-    add_transfer(place, *bus, unit.stage, unit.use);
-    Transfer& transfer = model_.devices[place].transfers.back();
+    WireUse use = use_of(robot_, device, unit, rate);
+    add_selection(connection.segment, rate, use);
+    add_transfer(place, *bus, unit.stage, use);
+    Transfer& transfer = own.transfers.back();
     if (unit.stage == FrameStage::autonomous) transfer.wire = longest_of_bits(robot_, device, transfer.wire);
-    transfer.reads = unit.stage != FrameStage::autonomous && unit.reads;
-    transfer.writes = unit.stage != FrameStage::autonomous && unit.writes;
+    transfer.reads = unit.is_asked() && unit.reads;
+    transfer.writes = unit.is_asked() && unit.writes;
+    transfer.sets = unit.is_asked() && unit.sets;
     transfer.command = unit.stage == FrameStage::handle && unit.writes;
-    const std::int64_t rivals = unit.stage == FrameStage::update ? turns.update : turns.all();
-    transfer.waits = std::max<std::int64_t>(rivals - 1, 0);
+    transfer.slot = unit.turns > 0 ? slot : 0;
+    transfer.turns = unit.turns;
     if (connection.use == nullptr) transfer.identifier = own_identifier(device, frames, unit.stage);
   }
 }
 
 /// A command may leave with what the next update() sends: where nothing leaves after handle(), or where both go over
 /// one slot, which takes one transfer at a time. What a device decides without being commanded leaves in the same way.
+/// A frame with which nothing comes back is no question for a sample.
 void Traffic::mark_late_commands(const gen::Device& device, Rank place) {
   Device& own = model_.devices[place];
-  if (!may_send_late(device) || shared_frame_of(device)) return;
+  if (!device.type->has_command() && !device.type->actuator) return;
+  const bool sends_nothing_else = may_send_late(device) && !shared_frame_of(device);
   const bool is_sent = std::any_of(own.transfers.begin(), own.transfers.end(), [](const auto& t) { return t.command; });
   for (Transfer& transfer : own.transfers) {
-    const bool is_late = transfer.after == Transfer::After::update && transfer.writes;
+    const bool may_set = transfer.sets || (transfer.writes && sends_nothing_else);
+    const bool is_late = transfer.after == Transfer::After::update && may_set;
     if (is_late && (!is_sent || own.takes_command)) transfer.command = true;
   }
 }

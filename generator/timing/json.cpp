@@ -74,7 +74,8 @@ Json transfer_json(const Model& model, const Transfer& t) {
   add_if(out, "service_ns", t.service);
   if (t.identifier) out["identifier"] = *t.identifier;
   if (t.command) out["command"] = true;
-  if (t.waits != 0) out["waits"] = t.waits;
+  if (t.slot != 0) out["slot"] = t.slot;
+  if (t.turns != 1 && t.slot != 0) out["turns"] = t.turns;
   if (t.reads) out["reads"] = true;
   if (t.receive) out["receive"] = true;
   return out;

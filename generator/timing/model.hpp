@@ -81,6 +81,7 @@ struct Bus {
 enum class UnknownAge {
   none,              ///< it is known, or there are none
   no_acquisition,    ///< nothing says so
+  never_asked,       ///< its part only sends by itself, and its type says that it is asked
   busy_slot,         ///< a measurement may find its slot taken by another transfer of the device
   shared_converter,  ///< another device measures with the same converter, which drops what nobody has taken
 };
@@ -97,10 +98,13 @@ struct Transfer {
   Duration service;             ///< how long those routines run, of_transfers: no others do on its bus; 0: not known
   std::int64_t frames = 1;      ///< on a bus that arbitrates: others may go between them
   bool command = false;         ///< carries the device's command: its last bit is the end of a chain
-  std::int64_t waits = 0;       ///< jobs for which others of the device may take its slot before a command leaves
   bool reads = false;           ///< something comes back
   bool writes = false;          ///< something is sent; known of robots alone
-  bool receive = false;         ///< on the receive line of a bus with two lines: meets nothing that is sent
+  bool sets = false;            ///< a frame of it brings nothing back; the same
+  std::int64_t slot =
+      0;  ///< transfers of the device with one number take turns: one is under way at a time; 0: none do
+  std::int64_t turns = 1;  ///< that it takes there
+  bool receive = false;    ///< on the receive line of a bus with two lines: meets nothing that is sent
   std::optional<std::int64_t>
       identifier;  ///< of its one frame on a bus that arbitrates; none: more urgent than any other
 };

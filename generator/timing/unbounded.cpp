@@ -57,12 +57,16 @@ std::string unknown_age_text(const Device& device) {
   if (device.unknown_age == UnknownAge::no_acquisition)
     return fmt::format("what '{}' reads is older than its update(), and its type does not say how much ('acquisition')",
                        device.name);
+  if (device.unknown_age == UnknownAge::never_asked)
+    return fmt::format(
+        "what '{}' reads comes by itself, and its type says that it is asked for it ('polled'): not how often it comes",
+        device.name);
   if (device.unknown_age == UnknownAge::shared_converter)
     return fmt::format("another device measures with the converter of '{}', which drops what nobody has taken yet",
                        device.name);
   return fmt::format(
-      "a measurement of '{}' may find its slot taken by another transfer of its own: its type does not say how many in a "
-      "row ('published_every' of 'acquisition')",
+      "a measurement of '{}' may find its slot taken by another transfer of its own: its type does not say how many in "
+      "a row ('published_every' of 'acquisition')",
       device.name);
 }
 

@@ -111,6 +111,25 @@ std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles
   return RestOfJob(profile_.set, profile_.responses, effort_).from(w, work, latest, of);
 }
 
+/// For so many jobs transfers of the same slot may leave a transfer no room: each has its turn before one has another,
+/// and a turn lasts for as many jobs as begin until the transfer has ended.
+std::optional<std::int64_t> WireAnalysis::jobs_to_wait(Rank device, std::int64_t slot) const {
+  if (slot == 0) return 0;
+  const std::vector<Transfer>& transfers = model_.devices[device].transfers;
+  Duration end;  // of any, after the release of the job that begins it
+  std::int64_t turns = 0;
+  for (std::size_t t = 0; t < transfers.size(); ++t) {
+    if (transfers[t].slot != slot) continue;
+    const auto bound = transfers_.of(device, t);
+    if (!bound) return std::nullopt;
+    const bool is_early = transfers[t].after == Transfer::After::update;
+    end = std::max(end, (is_early ? profile_.responses.r_plus : profile_.responses.r_minus)[device] + *bound);
+    turns = add(turns, transfers[t].turns);
+  }
+  const std::int64_t jobs = std::max<std::int64_t>(ceil_div(end, model_.devices[device].period), 1);
+  return multiply(turns, jobs) - 1;
+}
+
 std::optional<Duration> WireAnalysis::command(Rank to) const {
   const Device& device = model_.devices[to];
   if (!device.undeclared.empty()) return std::nullopt;
@@ -126,12 +145,15 @@ std::optional<Duration> WireAnalysis::command(Rank to) const {
     const Transfer& transfer = device.transfers[t];
     if (!transfer.command) continue;
     const auto bound = transfers_.of(to, t);
+    const auto waits = jobs_to_wait(to, transfer.slot);
     if (transfer.after == Transfer::After::bucket)
       after(rest_of_job(to), bound);
+    else if (!waits)
+      worst = std::nullopt;
     else if (transfer.after == Transfer::After::update)
-      after(update_after(to, transfer.waits + 1), bound);
-    else if (transfer.waits > 0)
-      after(handle_after(to, transfer.waits), bound);
+      after(update_after(to, *waits + 1), bound);
+    else if (*waits > 0)
+      after(handle_after(to, *waits), bound);
     else
       raise(bound);
   }
@@ -172,6 +194,23 @@ std::optional<Duration> WireAnalysis::streamed(Rank from) const {
   return a.fixed + a.interval + wire + profile_.set.blocking;
 }
 
+/// After the release of its job, at the latest: with its stage, or, where the part answers a frame that several devices
+/// fill, when that one has been sent.
+std::optional<Duration> WireAnalysis::asked_at(Rank device, const Transfer& transfer) const {
+  const bool is_early = transfer.after == Transfer::After::update;
+  Duration at = (is_early ? profile_.responses.r_plus : profile_.responses.r_minus)[device];
+  if (transfer.slot != 0 || transfer.writes) return at;
+  for (std::size_t f = 0; f < model_.flushes.size(); ++f) {
+    const Flush& flush = model_.flushes[f];
+    const bool is_of_device = std::find(flush.devices.begin(), flush.devices.end(), device) != flush.devices.end();
+    if (!is_of_device || flush.bus != transfer.bus) continue;
+    const auto sent = flush_response(f);
+    if (!sent) return std::nullopt;
+    at = std::max(at, profile_.responses.bucket[profile_.set.bucket_of[device]] + *sent);
+  }
+  return at;
+}
+
 /// The device asks.
 std::optional<Duration> WireAnalysis::asked(Rank from) const {
   const Device& device = model_.devices[from];
@@ -183,8 +222,9 @@ std::optional<Duration> WireAnalysis::asked(Rank from) const {
     if (transfer.after == Transfer::After::autonomous || !measures(device, transfer)) continue;
     const auto bound = transfers_.of(from, t);
     if (!bound) return std::nullopt;
-    const bool is_early = transfer.after == Transfer::After::update;
-    busy = std::max(busy, (is_early ? profile_.responses.r_plus : profile_.responses.r_minus)[from] + *bound);
+    const auto begin = asked_at(from, transfer);
+    if (!begin) return std::nullopt;
+    busy = std::max(busy, *begin + *bound);
   }
   const Duration response = profile_.responses.r_plus[from];
   busy = std::max(busy, response) + a.conversion;

@@ -27,6 +27,8 @@ class WireAnalysis {
  private:
   [[nodiscard]] std::optional<Duration> streamed(Rank from) const;
   [[nodiscard]] std::optional<Duration> asked(Rank from) const;
+  [[nodiscard]] std::optional<Duration> asked_at(Rank device, const Transfer& transfer) const;
+  [[nodiscard]] std::optional<std::int64_t> jobs_to_wait(Rank device, std::int64_t slot) const;
   [[nodiscard]] bool is_in_the_way(Rank from) const;
   [[nodiscard]] std::optional<Duration> rest_of_job(Rank device) const;
   [[nodiscard]] std::optional<Duration> update_after(Rank device, std::int64_t jobs) const;

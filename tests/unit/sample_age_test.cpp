@@ -51,8 +51,8 @@ TEST_CASE("a measurement may find its slot taken by another stage of its device,
   CHECK_FALSE(chain(timing, "own", "own").acquire);
   REQUIRE(timing.missing.size() == 1);
   CHECK(timing.missing.front().why ==
-        "a measurement of 'own' may find its slot taken by another transfer of its own: its type does not say how many in "
-        "a row ('published_every' of 'acquisition')");
+        "a measurement of 'own' may find its slot taken by another transfer of its own: its type does not say how many "
+        "in a row ('published_every' of 'acquisition')");
   const auto told = chain(timing_of(kI2c, R"(type="told_seesaw")"), "own", "own").acquire;
   REQUIRE(told);
   CHECK(*told >= finemote::gen::milliseconds(10));
@@ -64,13 +64,33 @@ TEST_CASE("a measurement may find its slot taken by another stage of its device,
 
 TEST_CASE(
     "a question still takes the slot when handle() wants to send: the command leaves with the next job, on CAN, too") {
-  for (const auto& [bus, device] :
-       {std::pair(kI2c, R"(type="seesaw")"), std::pair(kI2c, R"(type="asks_and_sets")"), std::pair(kCan, R"(type="late_on_can" id="3")")}) {
+  for (const auto& [bus, device] : {std::pair(kI2c, R"(type="seesaw")"), std::pair(kI2c, R"(type="asks_and_sets")"),
+                                    std::pair(kCan, R"(type="late_on_can" id="3")")}) {
     INFO(device);
     const auto wire = chain(timing_of(bus, device), "own", "own").wire;
     REQUIRE(wire);
     CHECK(*wire > finemote::gen::milliseconds(5));
   }
+}
+
+TEST_CASE("a command waits for as many jobs as the transfers of its device take turns, each until it has ended") {
+  const auto wire = [](const std::string& clock) {
+    return chain(timing_of(R"(type="i2c" port="i2c2" clock=")" + clock + "\"", R"(type="asks_and_sets")"), "own", "own")
+        .wire;
+  };
+  REQUIRE(wire("400kHz"));
+  CHECK(*wire("400kHz") > finemote::gen::milliseconds(5));
+  CHECK(*wire("400kHz") < finemote::gen::milliseconds(10));
+  CHECK((!wire("10kHz") || *wire("10kHz") > finemote::gen::milliseconds(15)));
+}
+
+TEST_CASE("what only comes by itself is as old as nobody knows where its type says that it is asked for") {
+  const Timing timing = timing_of(kCan, R"(type="never_asked")");
+  CHECK_FALSE(chain(timing, "own", "own").acquire);
+  REQUIRE(timing.missing.size() == 1);
+  CHECK(
+      timing.missing.front().why ==
+      "what 'own' reads comes by itself, and its type says that it is asked for it ('polled'): not how often it comes");
 }
 
 TEST_CASE("what update() sets of an output or a pin leaves a period later than what handle() sets") {

@@ -1,0 +1,61 @@
+#include "generator/tasks/frame_units.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "generator/bus/bus_type.hpp"
+#include "generator/units/checked.hpp"
+#include "generator/units/duration.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+/// A frame on CAN holds so many.
+constexpr std::int64_t kCanBytes = 8;
+
+/// Of one frame of a descriptor. What a part answers where others ask it needs no request.
+std::int64_t turns_of(const Frame& frame, const BusType& type) {
+  if (!type.is_mastered && frame.write_bytes == 0) return 0;
+  return type.is_arbitrated ? std::max<std::int64_t>(ceil_div(frame.write_bytes, kCanBytes), 1) : 1;
+}
+
+/// I2C takes an exchange and what is written behind it in one request, no other driver takes two.
+std::int64_t turns_of(const FrameUnit& unit, const BusType& type) {
+  std::int64_t turns = 0;
+  for (const Frame& frame : unit.frames) turns = add(turns, turns_of(frame, type));
+  const bool has_then = type.kind == BusKind::i2c && unit.frames.size() > 1;
+  return has_then ? turns - 1 : turns;
+}
+
+}  // namespace
+
+std::vector<FrameUnit> frame_units(const std::vector<Frame>& frames, BusKind kind) {
+  const BusType& type = bus_type(kind);
+  std::map<std::pair<std::string_view, int>, FrameUnit> units;
+  int alone = -1;
+  for (const Frame& frame : frames) {
+    FrameUnit& unit = units[{to_string(frame.stage), frame.unit > 0 ? frame.unit : alone--}];
+    unit.stage = frame.stage;
+    unit.frames.push_back(frame);
+    const bool answers = frame.read_bytes > 0 || (kind == BusKind::spi && frame.write_bytes > 0);  // both ways at once
+    unit.reads = unit.reads || answers;
+    unit.writes = unit.writes || frame.write_bytes > 0;
+    unit.sets = unit.sets || (frame.write_bytes > 0 && !answers);
+  }
+  std::vector<FrameUnit> list;
+  for (auto& [key, unit] : units) {
+    if (unit.is_asked()) unit.turns = turns_of(unit, type);
+    list.push_back(std::move(unit));
+  }
+  return list;
+}
+
+std::int64_t turns_of(const std::vector<FrameUnit>& units) {
+  std::int64_t turns = 0;
+  for (const FrameUnit& unit : units) turns = add(turns, unit.turns);
+  return turns;
+}
+
+}  // namespace finemote::gen::timing
