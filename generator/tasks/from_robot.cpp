@@ -63,7 +63,7 @@ bool has_no_acquisition(const Robot& robot, const gen::Device& device) {
   const std::vector<Frame> frames = type.frames.value_or(std::vector<Frame>());
   const bool is_late =
       std::any_of(frames.begin(), frames.end(), brings) || reads_past_of_pins(device) || asks_over_spi(robot, device);
-  return !type.acquisition && !type.provides.empty() && is_late;
+  return !type.acquisition && (!type.provides.empty() || type.actuator) && is_late;
 }
 
 bool shares_converter(const Robot& robot, const gen::Device& device) {

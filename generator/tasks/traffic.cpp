@@ -125,9 +125,8 @@ void Traffic::mark_late_commands(const gen::Device& device, Rank place) {
   const bool sends_nothing_else = may_send_late(device) && !shared_frame_of(device);
   const bool is_sent = std::any_of(own.transfers.begin(), own.transfers.end(), [](const auto& t) { return t.command; });
   for (Transfer& transfer : own.transfers) {
-    const bool may_set = transfer.sets || (transfer.writes && sends_nothing_else);
-    const bool is_late = transfer.after == Transfer::After::update && may_set;
-    if (is_late && (!is_sent || own.takes_command)) transfer.command = true;
+    const bool may_set = transfer.writes && sends_nothing_else && (!is_sent || own.takes_command);
+    if (transfer.after == Transfer::After::update && (transfer.sets || may_set)) transfer.command = true;
   }
 }
 
