@@ -79,6 +79,12 @@ struct BusType {
     nothing,
   };
 
+  /// Bytes that the driver takes in one request, where it does not take any number.
+  struct Longest {
+    std::optional<std::int64_t> written, read;
+    bool with_dma = false;  ///< only on a port with DMA, of bytes that it does not reach
+  };
+
   /// What goes out after the devices of a bucket have written.
   enum class Flush {
     nothing,        ///< everything went out when the devices wrote it
@@ -110,7 +116,10 @@ struct BusType {
   bool is_arbitrated = false;    ///< identifiers decide what goes first
   bool is_polled = false;        ///< nothing but a look of a job carries it on: the next transfer begins with one
   bool is_mastered = false;      ///< nothing happens that no device begins
-  bool counts_traffic = false;   ///< its interrupts are known to belong to what devices ask for, and parts declare
+  bool is_both_ways = false;     ///< what is sent brings as many bytes
+  bool takes_then = false;       ///< the driver takes what is written behind an exchange with it, in one request
+  Longest longest = {};
+  bool counts_traffic = false;  ///< its interrupts are known to belong to what devices ask for, and parts declare
 
   /// Time on the wire and service routines of an exchange in one unit, without the one that begins it on an idle bus;
   /// null: a kind without frames. Throws Overflow.

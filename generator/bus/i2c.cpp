@@ -30,6 +30,7 @@ constinit const BusType kI2cBus{
     .carries_expanders = true,
     .is_shared = true,
     .is_mastered = true,
+    .takes_then = true,
     .counts_traffic = true,
     .unit = i2c_unit,
     .reach = BusType::Reach::slot,

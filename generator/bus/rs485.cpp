@@ -18,6 +18,7 @@ constinit const BusType kRs485Bus{
     .rate = {.form = &kBaud, .rule = &kStm32Usart, .example = 115'200},
     .has_direction = true,
     .is_polled = true,
+    .longest = {.written = 128, .read = 32},
     .unit = rs485_unit,
     .reach = BusType::Reach::slot,
     .bus_class = {.name = "Rs485", .header = "<finemote/rs485.hpp>", .supervised = true},

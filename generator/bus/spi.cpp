@@ -22,6 +22,8 @@ constinit const BusType kSpiBus{
     .rate = {.form = &kClock, .rule = &kStm32Spi, .example = 5'250'000},
     .channels = BusType::Channels::selects,
     .is_mastered = true,
+    .is_both_ways = true,
+    .longest = {.written = 64, .read = 64, .with_dma = true},
     .counts_traffic = true,
     .unit = spi_unit,
     .reach = BusType::Reach::slot,

@@ -20,6 +20,7 @@ constinit const BusType kUartBus{
     .is_for_one = true,
     .has_line_format = true,
     .has_two_lines = true,
+    .longest = {.written = 128, .read = std::nullopt},
     .counts_traffic = true,
     .unit = uart_unit,
     .reach = BusType::Reach::bus,

@@ -24,11 +24,6 @@ inline constexpr std::size_t kReleaseInstants = 6;
 /// least.
 inline constexpr std::int64_t kLeastReceiveRing = 256, kMostReceiveRing = 4096;
 
-/// Longest transfers [bytes]. Serial lines: what they keep until the DMA has sent it, kUartTransmit of
-/// runtime/chips/stm32f4/ports/uart_hardware.hpp; an answer on RS-485, finemote::Rs485Slot::kMaxReply. SPI: what is copied
-/// to where the DMA of a port reaches it, kSpiCopy of runtime/chips/stm32f4/ports/spi_hardware.hpp.
-inline constexpr std::int64_t kSerialBlock = 128, kRs485Answer = 32, kSpiCopy = 64;
-
 /// Filter banks of a CAN controller, and what one of them accepts: bxCAN in RM0090 32.7.4.
 inline constexpr std::size_t kCanFilterBanks = 14, kCanIdsPerBank = 4, kCanBlocksPerBank = 2;
 

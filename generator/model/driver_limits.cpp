@@ -175,25 +175,13 @@ void check_rings(Reading& reading) {
   }
 }
 
-/// Bytes that a driver takes in one transfer; none: any number.
-struct Longest {
-  std::optional<std::int64_t> written, read;
-};
-
-Longest longest_of(BusKind kind, const Port& port, bool in_dma_memory) {
-  using namespace runtime_limits;
-  if (kind == BusKind::uart) return {kSerialBlock, std::nullopt};
-  if (kind == BusKind::rs485) return {kSerialBlock, kRs485Answer};
-  if (kind == BusKind::spi && !port.dma.empty() && !in_dma_memory) return {kSpiCopy, kSpiCopy};
-  return {};
-}
-
 /// A transfer that the driver refuses never leaves.
 void check_frame(Reading& reading, const Frame& frame, BusId id, DeviceId index, const xml::Node& tag) {
   const Port* port = reading.buses[id].port;
   if (port == nullptr || frame.stage == FrameStage::autonomous) return;
   const Bus& bus = reading.robot.buses[id];
-  const Longest longest = longest_of(bus.kind, *port, frame.in_dma_memory);
+  const BusType::Longest& longest = bus_type(bus.kind).longest;
+  if (longest.with_dma && (port->dma.empty() || frame.in_dma_memory)) return;
   const auto check = [&](const char* does, std::int64_t bytes, std::optional<std::int64_t> most) {
     if (!most || bytes <= *most) return;
     at_tag(reading.diagnostics, code::bus_full, tag,

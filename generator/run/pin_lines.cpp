@@ -25,7 +25,7 @@ std::optional<std::uint32_t> line_of(const std::string& pin) {
 }
 
 /// The clock of the board is off by less.
-constexpr Duration with_clock_error(Duration window) { return window + ceil_div(window, 1'000); }
+constexpr Duration with_slow_clock(Duration window) { return window + ceil_div(window, 1'000); }
 
 /// What the model has of an entry of a type's `interrupts`; null: it is documentation.
 const timing::InterruptSource* source_of(const timing::Model& model, const std::string& name) {
@@ -72,7 +72,7 @@ std::vector<PinLine> pin_lines(const Robot& robot, const timing::Model& model, D
     for (const Device& device : robot.devices) {
       if (device.type == nullptr) continue;
       for (const Interrupt& entry : device.type->interrupts)
-        add_entry(device, entry, model, with_clock_error(window), lines);
+        add_entry(device, entry, model, with_slow_clock(window), lines);
     }
   } catch (const Overflow&) {
     lines.clear();

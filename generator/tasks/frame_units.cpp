@@ -21,11 +21,11 @@ std::int64_t turns_of(const Frame& frame, const BusType& type) {
   return type.is_arbitrated ? std::max<std::int64_t>(ceil_div(frame.write_bytes, kCanBytes), 1) : 1;
 }
 
-/// I2C takes an exchange and what is written behind it in one request, no other driver takes two.
+/// Some drivers take an exchange and what is written behind it in one request, none takes more.
 std::int64_t turns_of(const FrameUnit& unit, const BusType& type) {
   std::int64_t turns = 0;
   for (const Frame& frame : unit.frames) turns = add(turns, turns_of(frame, type));
-  const bool has_then = type.kind == BusKind::i2c && unit.frames.size() > 1;
+  const bool has_then = type.takes_then && unit.frames.size() > 1;
   return has_then ? turns - 1 : turns;
 }
 
@@ -39,7 +39,7 @@ std::vector<FrameUnit> frame_units(const std::vector<Frame>& frames, BusKind kin
     FrameUnit& unit = units[{to_string(frame.stage), frame.unit > 0 ? frame.unit : alone--}];
     unit.stage = frame.stage;
     unit.frames.push_back(frame);
-    const bool answers = frame.read_bytes > 0 || (kind == BusKind::spi && frame.write_bytes > 0);  // both ways at once
+    const bool answers = frame.read_bytes > 0 || (type.is_both_ways && frame.write_bytes > 0);
     unit.reads = unit.reads || answers;
     unit.writes = unit.writes || frame.write_bytes > 0;
     unit.sets = unit.sets || (frame.write_bytes > 0 && !answers);

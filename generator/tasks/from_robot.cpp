@@ -46,13 +46,13 @@ bool reads_past_of_pins(const gen::Device& device) {
   });
 }
 
-/// SPI works both ways at once: where nobody commands the part, what it is sent are questions.
-bool asks_over_spi(const Robot& robot, const gen::Device& device) {
+/// Where what is sent brings as much, and nobody commands the part, all that it is sent are questions.
+bool asks_both_ways(const Robot& robot, const gen::Device& device) {
   const std::vector<Connection> connections = connections_of(device);
   return !device.type->has_command() &&
          std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
-           return robot.segments[connection.segment].bus_kind == BusKind::spi &&
-                  turns_of(frame_units(frames_over(device, connection), BusKind::spi)) > 0;
+           const BusKind kind = robot.segments[connection.segment].bus_kind;
+           return bus_type(kind).is_both_ways && turns_of(frame_units(frames_over(device, connection), kind)) > 0;
          });
 }
 
@@ -62,7 +62,7 @@ bool has_no_acquisition(const Robot& robot, const gen::Device& device) {
   const DeviceType& type = *device.type;
   const std::vector<Frame> frames = type.frames.value_or(std::vector<Frame>());
   const bool is_late =
-      std::any_of(frames.begin(), frames.end(), brings) || reads_past_of_pins(device) || asks_over_spi(robot, device);
+      std::any_of(frames.begin(), frames.end(), brings) || reads_past_of_pins(device) || asks_both_ways(robot, device);
   return !type.acquisition && (!type.provides.empty() || type.actuator) && is_late;
 }
 

@@ -8,7 +8,7 @@ namespace finemote::gen::wcet {
 inline constexpr const char* kLongRepetition =
     "an interrupt makes it turn once more, which takes too long: its work is to be outside of LDREX and STREX";
 
-/// What an interrupt may have done again [cycles]: it has to fit into `preemption` of the chip's file (wcet_pieces_test).
+/// What an interrupt may have done again [cycles]: fits into `preemption` of the chip's file (wcet_pieces_test).
 inline constexpr Cycles kLongestRepetition = 42;
 
 /// What is done again takes longer than the analysis charges the interrupt with: `preemption` in the chip's file. The

@@ -21,7 +21,7 @@ TEST_CASE("the generator knows what the runtime holds") {
   CHECK(gen::bus_type(gen::BusKind::can).most_devices == CanBus::kMaxSlots);
   CHECK(limits::kShortestPwmPeriod.ns() == kShortestPwmPeriod);
   CHECK(limits::kLongestPwmPeriod.ns() == kLongestPwmPeriod);
-  CHECK(limits::kRs485Answer == Rs485Slot::kMaxReply);
+  CHECK(gen::bus_type(gen::BusKind::rs485).longest.read == Rs485Slot::kMaxReply);
 }
 
 TEST_CASE("the generator knows what the drivers of the chip take at once") {
@@ -31,8 +31,9 @@ TEST_CASE("the generator knows what the drivers of the chip take at once") {
     REQUIRE(at != std::string::npos);
     return std::stoll(text.substr(at + name.size() + 4));
   };
-  CHECK(limits::kSerialBlock == figure("uart_hardware.hpp", "kUartTransmit"));
-  CHECK(limits::kSpiCopy == figure("spi_hardware.hpp", "kSpiCopy"));
+  CHECK(gen::bus_type(gen::BusKind::uart).longest.written == figure("uart_hardware.hpp", "kUartTransmit"));
+  CHECK(gen::bus_type(gen::BusKind::rs485).longest.written == figure("uart_hardware.hpp", "kUartTransmit"));
+  CHECK(gen::bus_type(gen::BusKind::spi).longest.read == figure("spi_hardware.hpp", "kSpiCopy"));
 }
 
 }  // namespace finemote
