@@ -59,11 +59,15 @@ class TimingCheck {
     for (const char* member : {"interval_ns", "interval_param"}) check_absent(member, "streamed");
   }
 
-  /// Stages of the device send something.
+  /// Something comes back to what stages of the device send.
   [[nodiscard]] bool is_asked() const {
     const std::vector<Frame> frames = type_.frames.value_or(std::vector<Frame>());
-    return std::any_of(frames.begin(), frames.end(), [](const Frame& frame) {
-      return frame.stage == FrameStage::update || frame.stage == FrameStage::handle;
+    return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) {
+      const std::vector<BusKind>& kinds = type_.buses_of(frame);
+      const bool is_both_ways =
+          std::any_of(kinds.begin(), kinds.end(), [](BusKind kind) { return bus_type(kind).is_both_ways; });
+      const bool is_begun = frame.stage == FrameStage::update || frame.stage == FrameStage::handle;
+      return is_begun && (frame.read_bytes > 0 || is_both_ways);
     });
   }
 
@@ -72,7 +76,7 @@ class TimingCheck {
     if (type_.buses.empty() || !type_.frames) return;
     const auto is_frame = [](const Frame& frame) { return frame.stage == FrameStage::autonomous; };
     const auto is_edge = [](const Interrupt& interrupt) { return interrupt.is_autonomous; };
-    if (std::any_of(type_.frames->begin(), type_.frames->end(), is_frame)) return;
+    if (is_asked() || std::any_of(type_.frames->begin(), type_.frames->end(), is_frame)) return;
     if (std::any_of(type_.interrupts.begin(), type_.interrupts.end(), is_edge)) return;
     found_
         .add({"acquisition", "model"},
@@ -153,7 +157,7 @@ class TimingCheck {
       const Duration apart = frame.min_interval.value_or(interval);
       soonest = std::min(apart, soonest.value_or(apart));
     }
-    if (!soonest || *soonest <= interval) return;
+    if (!soonest || *soonest <= interval || is_asked()) return;
     found_
         .add({"acquisition", "interval_ns"},
              fmt::format("no frame comes every {} ns: they are at least {} ns apart", interval.ns(), soonest->ns()))

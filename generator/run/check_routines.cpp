@@ -28,15 +28,18 @@ Duration longest_of(const RunRecord& record, const IsOne& is_one) {
 /// What a run may take that the model says takes this long: entry and exit are in what was seen.
 bool is_above(Duration seen, Duration wcet, const timing::Model& model) { return seen > wcet + model.costs.interrupt; }
 
-/// Frames that one run may serve, of which each counts as a run: as many as a mailbox of bxCAN keeps (RM0090 32.4.3).
-std::int64_t frames_at_once(const Bus& bus) { return bus_type(bus.kind).is_arbitrated ? 3 : 1; }
+/// Frames that one run may receive, of which each counts as a run: as many as a mailbox of bxCAN keeps (RM0090 32.7.4).
+std::int64_t frames_at_once(const Bus& bus, const InterruptLine& line) {
+  const bool receives = line.name.find("_RX") != std::string::npos;
+  return receives && bus_type(bus.kind).is_arbitrated ? 3 : 1;
+}
 
 bool check_bus(const Bus& bus, const Port& port, const timing::Model& model, const RunRecord& record,
                Diagnostics& diagnostics) {
   bool holds = true;
   for (const InterruptLine& line : port.interrupts) {
     const Duration seen = longest_of(record, [&](std::uint32_t exception) { return exception == exception_for(line); });
-    if (!is_above(seen, frames_at_once(bus) * *bus.isr_wcet, model)) continue;
+    if (!is_above(seen, frames_at_once(bus, line) * *bus.isr_wcet, model)) continue;
     holds = false;
     diagnostics
         .error(code::wcet_exceeded, bus.at,

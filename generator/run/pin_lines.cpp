@@ -28,12 +28,13 @@ std::optional<std::uint32_t> line_of(const std::string& pin) {
 constexpr Duration with_slow_clock(Duration window) { return window + ceil_div(window, 1'000); }
 
 /// What the model has of an entry of a type's `interrupts`; null: it is documentation.
-const timing::InterruptSource* source_of(const timing::Model& model, const std::string& name) {
+/// @param place  among those of the device that have this name
+const timing::InterruptSource* source_of(const timing::Model& model, const std::string& name, std::size_t place) {
   for (const timing::Bus& bus : model.buses) {
     if (!bus.sources) continue;
-    const auto found = std::find_if(bus.sources->begin(), bus.sources->end(),
-                                    [&](const timing::InterruptSource& source) { return source.name == name; });
-    if (found != bus.sources->end()) return &*found;
+    for (const timing::InterruptSource& source : *bus.sources) {
+      if (source.name == name && place-- == 0) return &source;
+    }
   }
   return nullptr;
 }
@@ -46,12 +47,23 @@ std::int64_t most_runs(const timing::Model& model, const timing::InterruptSource
   return runs;
 }
 
+bool is_given(const Device& device, const Interrupt& entry) {
+  return std::any_of(device.uses.begin(), device.uses.end(),
+                     [&](const Use& use) { return use.spec->role == entry.use; });
+}
+
 /// Adds an entry of a device's type to the lines so far.
-void add_entry(const Device& device, const Interrupt& entry, const timing::Model& model, Duration window,
+void add_entry(const Device& device, std::size_t index, const timing::Model& model, Duration window,
                std::vector<PinLine>& lines) {
+  const std::vector<Interrupt>& entries = device.type->interrupts;
+  const Interrupt& entry = entries[index];
+  const auto place =
+      std::count_if(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(index),
+                    [&](const Interrupt& one) { return one.source == entry.source && is_given(device, one); });
   const auto use =
       std::find_if(device.uses.begin(), device.uses.end(), [&](const Use& one) { return one.spec->role == entry.use; });
-  const timing::InterruptSource* source = source_of(model, device.name.text + ": " + entry.source);
+  const timing::InterruptSource* source =
+      source_of(model, device.name.text + ": " + entry.source, static_cast<std::size_t>(place));
   if (use == device.uses.end() || use->named == nullptr || source == nullptr) return;
   const auto number = line_of(use->named->pin);
   if (!number) return;
@@ -71,8 +83,8 @@ std::vector<PinLine> pin_lines(const Robot& robot, const timing::Model& model, D
   try {
     for (const Device& device : robot.devices) {
       if (device.type == nullptr) continue;
-      for (const Interrupt& entry : device.type->interrupts)
-        add_entry(device, entry, model, with_slow_clock(window), lines);
+      for (std::size_t i = 0; i < device.type->interrupts.size(); ++i)
+        add_entry(device, i, model, with_slow_clock(window), lines);
     }
   } catch (const Overflow&) {
     lines.clear();

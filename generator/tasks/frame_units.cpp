@@ -24,9 +24,13 @@ std::int64_t turns_of(const Frame& frame, const BusType& type) {
 /// Some drivers take an exchange and what is written behind it in one request, none takes more.
 std::int64_t turns_of(const FrameUnit& unit, const BusType& type) {
   std::int64_t turns = 0;
-  for (const Frame& frame : unit.frames) turns = add(turns, turns_of(frame, type));
-  const bool has_then = type.takes_then && unit.frames.size() > 1;
-  return has_then ? turns - 1 : turns;
+  bool has_room = false;  // in the last request, for what is only written
+  for (const Frame& frame : unit.frames) {
+    const bool fits = has_room && frame.read_bytes == 0;
+    if (!fits) turns = add(turns, turns_of(frame, type));
+    has_room = type.takes_then && !fits;
+  }
+  return turns;
 }
 
 }  // namespace

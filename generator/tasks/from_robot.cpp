@@ -46,14 +46,13 @@ bool reads_past_of_pins(const gen::Device& device) {
   });
 }
 
-/// Where what is sent brings as much, and nobody commands the part, all that it is sent are questions.
+/// Where what is sent brings as much, it may be questions.
 bool asks_both_ways(const Robot& robot, const gen::Device& device) {
   const std::vector<Connection> connections = connections_of(device);
-  return !device.type->has_command() &&
-         std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
-           const BusKind kind = robot.segments[connection.segment].bus_kind;
-           return bus_type(kind).is_both_ways && turns_of(frame_units(frames_over(device, connection), kind)) > 0;
-         });
+  return std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
+    const BusKind kind = robot.segments[connection.segment].bus_kind;
+    return bus_type(kind).is_both_ways && turns_of(frame_units(frames_over(device, connection), kind)) > 0;
+  });
 }
 
 /// What a part sends, what a converter measured, and when an edge came, goes into the state that others see some time

@@ -120,13 +120,12 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
 /// one slot, which takes one transfer at a time. What a device decides without being commanded leaves in the same way.
 /// A frame with which nothing comes back is no question for a sample.
 void Traffic::mark_late_commands(const gen::Device& device, Rank place) {
-  Device& own = model_.devices[place];
   if (!device.type->has_command() && !device.type->actuator) return;
-  const bool sends_nothing_else = may_send_late(device) && !shared_frame_of(device);
-  const bool is_sent = std::any_of(own.transfers.begin(), own.transfers.end(), [](const auto& t) { return t.command; });
-  for (Transfer& transfer : own.transfers) {
-    const bool may_set = transfer.writes && sends_nothing_else && (!is_sent || own.takes_command);
-    if (transfer.after == Transfer::After::update && (transfer.sets || may_set)) transfer.command = true;
+  const bool may_ask_alone = !may_send_late(device);
+  for (Transfer& transfer : model_.devices[place].transfers) {
+    const bool is_late =
+        transfer.after == Transfer::After::update && (transfer.sets || (transfer.writes && !may_ask_alone));
+    if (is_late) transfer.command = true;
   }
 }
 

@@ -10,7 +10,7 @@ constexpr Assumption kAssumptions[] = {
     {"declared-traffic",
      "a device and its part send no more frames than the descriptor declares, no longer ones, and on CAN no shorter "
      "ones; a part that is asked on a serial line answers at once; where a device has several requests over one "
-     "connection in a job, none goes twice while another waits",
+     "connection in a job, none goes again while another waits",
      undetectable},
     {"part-clocks",
      "the clock of a part is off by tolerance_ppm of its descriptor at most, and a measurement takes no "

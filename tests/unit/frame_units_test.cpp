@@ -35,6 +35,7 @@ TEST_CASE("each entry is a request, whichever stage begins it") {
 TEST_CASE("I2C alone takes an exchange and what is written behind it as one") {
   CHECK(turns(BusKind::i2c, {frame(kUpdate, 1, 2, 1), frame(kUpdate, 2, 0, 1)}) == 1);
   CHECK(turns(BusKind::i2c, {frame(kUpdate, 1, 2, 1), frame(kUpdate, 2, 0, 1), frame(kUpdate, 2, 0, 1)}) == 2);
+  CHECK(turns(BusKind::i2c, {frame(kUpdate, 1, 2, 1), frame(kUpdate, 1, 2, 1)}) == 2);
   CHECK(turns(BusKind::spi, {frame(kUpdate, 7, 7, 1), frame(kUpdate, 3, 3, 1)}) == 2);
   CHECK(turns(BusKind::can, {frame(kHandle, 8, 0, 1), frame(kHandle, 8, 0, 1)}) == 2);
 }
