@@ -41,7 +41,7 @@ const Case kCases[] = {
     {"diagnosis", "300ms", nullptr, nullptr, nullptr, 0, {"--phases", "3", "--seed", "1"}},
     {"asked_servo", "600ms", "servo", "servo", "wire", 1.25},
     {"late_output", "500ms", "timer", "timer", "wire", 1.25},
-    {"late_valve", "500ms", "valve", "valve", "wire", 1.25, {"--phases", "4", "--seed", "9"}},
+    {"late_valve", "500ms", "valve", "valve", "wire", 2.25, {"--phases", "4", "--seed", "9"}},
     {"display", "500ms", "depth", "panel", "wire", 1.25, {"--phases", "4", "--seed", "9"}},
     {"commanded", "900ms", "pilot", "servo", "acquire", 1.25, {"--phases", "6", "--seed", "1"}},
     {"slow_can", "600ms", nullptr, nullptr, nullptr, 0, {"--phases", "12", "--seed", "1"}},
