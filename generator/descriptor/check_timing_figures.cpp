@@ -10,6 +10,18 @@
 namespace finemote::gen {
 namespace {
 
+/// Something comes back to what stages of the device send.
+bool asks_for_samples(const DeviceType& type) {
+  const std::vector<Frame> frames = type.frames.value_or(std::vector<Frame>());
+  return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) {
+    const std::vector<BusKind>& kinds = type.buses_of(frame);
+    const bool is_both_ways =
+        std::any_of(kinds.begin(), kinds.end(), [](BusKind kind) { return bus_type(kind).is_both_ways; });
+    const bool is_begun = frame.stage == FrameStage::update || frame.stage == FrameStage::handle;
+    return is_begun && (frame.read_bytes > 0 || is_both_ways);
+  });
+}
+
 class TimingCheck {
  public:
   TimingCheck(const DeviceType& type, const Contradictions& found) : type_(type), found_(found) {}
@@ -47,7 +59,7 @@ class TimingCheck {
       check_rate(acquisition);
       check_stream();
       for (const char* member : {"periods", "conversion"}) check_absent(member, "polled");
-      if (!is_asked()) check_absent("published_every", "polled");
+      if (!asks_for_samples(type_)) check_absent("published_every", "polled");
       return;
     }
     if (!acquisition.periods) {
@@ -59,24 +71,12 @@ class TimingCheck {
     for (const char* member : {"interval_ns", "interval_param"}) check_absent(member, "streamed");
   }
 
-  /// Something comes back to what stages of the device send.
-  [[nodiscard]] bool is_asked() const {
-    const std::vector<Frame> frames = type_.frames.value_or(std::vector<Frame>());
-    return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) {
-      const std::vector<BusKind>& kinds = type_.buses_of(frame);
-      const bool is_both_ways =
-          std::any_of(kinds.begin(), kinds.end(), [](BusKind kind) { return bus_type(kind).is_both_ways; });
-      const bool is_begun = frame.stage == FrameStage::update || frame.stage == FrameStage::handle;
-      return is_begun && (frame.read_bytes > 0 || is_both_ways);
-    });
-  }
-
   /// The sample has to come in something.
   void check_stream() const {
     if (type_.buses.empty() || !type_.frames) return;
     const auto is_frame = [](const Frame& frame) { return frame.stage == FrameStage::autonomous; };
     const auto is_edge = [](const Interrupt& interrupt) { return interrupt.is_autonomous; };
-    if (is_asked() || std::any_of(type_.frames->begin(), type_.frames->end(), is_frame)) return;
+    if (asks_for_samples(type_) || std::any_of(type_.frames->begin(), type_.frames->end(), is_frame)) return;
     if (std::any_of(type_.interrupts.begin(), type_.interrupts.end(), is_edge)) return;
     found_
         .add({"acquisition", "model"},
@@ -157,7 +157,7 @@ class TimingCheck {
       const Duration apart = frame.min_interval.value_or(interval);
       soonest = std::min(apart, soonest.value_or(apart));
     }
-    if (!soonest || *soonest <= interval || is_asked()) return;
+    if (!soonest || *soonest <= interval || asks_for_samples(type_)) return;
     found_
         .add({"acquisition", "interval_ns"},
              fmt::format("no frame comes every {} ns: they are at least {} ns apart", interval.ns(), soonest->ns()))
