@@ -24,6 +24,9 @@ inline constexpr std::size_t kReleaseInstants = 6;
 /// least.
 inline constexpr std::int64_t kLeastReceiveRing = 256, kMostReceiveRing = 4096;
 
+/// How often one flush of a PWM expander fills its burst at most: Pca9685::build_burst() of runtime/src/pca9685.cpp.
+inline constexpr std::int64_t kBursts = 3;
+
 /// Filter banks of a CAN controller, and what one of them accepts: bxCAN in RM0090 32.7.4.
 inline constexpr std::size_t kCanFilterBanks = 14, kCanIdsPerBank = 4, kCanBlocksPerBank = 2;
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/descriptor/runtime_limits.hpp"
 #include "generator/model/shared_frame.hpp"
 #include "generator/tasks/robot_costs.hpp"
 
@@ -33,7 +34,7 @@ class FlushAdder {
     const Segment& output = robot_.segments[segment];
     if (output.kind == Segment::Kind::pwm_expander) {
       const auto [first, last] = channels_of(segment);
-      const FlushTime usual{costs.flush_expander, costs.flush_expander_per_channel};
+      const FlushTime usual{costs.flush_expander, bursts_of(output) * costs.flush_expander_per_channel};
       const FlushTime time = robot_.expanders[*output.expander].type->flush.value_or(usual);
       flush.wcet = time.once + (last - first + 1) * time.per_channel;
       set_expander_burst(segment, flush);
@@ -45,6 +46,14 @@ class FlushAdder {
   }
 
  private:
+  /// How often a flush may fill its burst: a bucket that is faster, and thus here already, may set channels meanwhile,
+  /// which are taken along (Pca9685::build_burst).
+  [[nodiscard]] std::int64_t bursts_of(const Segment& output) const {
+    const bool is_shared = std::any_of(model_.flushes.begin(), model_.flushes.end(),
+                                       [&](const Flush& flush) { return flush.output == output.name.text; });
+    return is_shared ? runtime_limits::kBursts : 1;
+  }
+
   /// The first and the last channel of an output that are used.
   [[nodiscard]] std::pair<std::int64_t, std::int64_t> channels_of(SegmentId output) const {
     std::int64_t first = 255, last = 0;

@@ -24,6 +24,11 @@ TEST_CASE("the generator knows what the runtime holds") {
   CHECK(gen::bus_type(gen::BusKind::rs485).longest.read == Rs485Slot::kMaxReply);
 }
 
+TEST_CASE("the generator knows how often a burst is filled") {
+  const std::string text = test::read(test::source_dir() + "/runtime/src/pca9685.cpp");
+  CHECK(text.find("attempt < " + std::to_string(limits::kBursts) + ";") != std::string::npos);
+}
+
 TEST_CASE("the generator knows what the drivers of the chip take at once") {
   const auto figure = [](const std::string& header, const std::string& name) {
     const std::string text = test::read(test::source_dir() + "/runtime/chips/stm32f4/ports/" + header);

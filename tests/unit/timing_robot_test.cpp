@@ -172,6 +172,24 @@ TEST_CASE("commands that go over a bus of a use take their time there, and answe
   CHECK(line_events(*robot.robot, BusId{0}) == 3);
 }
 
+TEST_CASE("a flush that a faster one of its expander interrupts may fill its burst again") {
+  const auto flushes = [](const std::string& second) {
+    const Robots robot = Robots::with(R"(<bus name="i2c" type="i2c" port="i2c2"/>
+      <expander name="pulses" model="pca9685" bus="i2c" address="0x40"/>
+      <device name="a" type="pwm_servo" bus="pulses" channel="0" period="5ms"/>
+      <device name="b" type="pwm_servo" bus="pulses" channel="3" period=")" +
+                                      second + "\"/>");
+    std::vector<Duration> times;
+    for (const Flush& flush : robot.model.flushes) times.push_back(flush.wcet);
+    return times;
+  };
+  const std::vector<Duration> one = flushes("5ms"), two = flushes("10ms");
+  REQUIRE((one.size() == 1 && two.size() == 2));
+  CHECK(two[0] == one[0]);
+  CHECK(two[1] > 2 * one[0] - 4_us);  // the burst thrice, the rest of a flush once
+  CHECK(two[1] < 3 * one[0]);
+}
+
 TEST_CASE("samples come as often as a param says where the type leaves it to one") {
   const auto link = [](const std::string& param) {
     const Robots robot = Robots::with(R"(<bus name="line" type="uart" port="usart1" baud="921600baud"/>
