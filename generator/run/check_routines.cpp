@@ -15,14 +15,11 @@ namespace {
 
 std::uint32_t exception_for(const InterruptLine& line) { return exception_of(static_cast<std::uint32_t>(line.number)); }
 
-/// The longest run of a routine that `is_one` is true for.
-template <class IsOne>
-Duration longest_of(const RunRecord& record, const IsOne& is_one) {
-  Duration longest;
-  for (const RoutineTime& routine : record.routine_times) {
-    if (is_one(routine.exception)) longest = std::max(longest, routine.longest);
-  }
-  return longest;
+/// The longest run of a routine; 0: it never ran.
+Duration longest_of(const RunRecord& record, std::uint32_t exception) {
+  const auto found = std::find_if(record.routine_times.begin(), record.routine_times.end(),
+                                  [&](const RoutineTime& routine) { return routine.exception == exception; });
+  return found == record.routine_times.end() ? Duration::zero() : found->longest;
 }
 
 /// What a run may take that the model says takes this long: entry and exit are in what was seen.
@@ -38,7 +35,7 @@ bool check_bus(const Bus& bus, const Port& port, const timing::Model& model, con
                Diagnostics& diagnostics) {
   bool holds = true;
   for (const InterruptLine& line : port.interrupts) {
-    const Duration seen = longest_of(record, [&](std::uint32_t exception) { return exception == exception_for(line); });
+    const Duration seen = longest_of(record, exception_for(line));
     if (!is_above(seen, frames_at_once(bus, line) * *bus.isr_wcet, model)) continue;
     holds = false;
     diagnostics
@@ -60,7 +57,7 @@ bool is_declared(const timing::Bus& bus) {
 }
 
 bool check_pins(const PinLine& line, const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics) {
-  const Duration seen = longest_of(record, [&](std::uint32_t exception) { return exception == line.exception; });
+  const Duration seen = longest_of(record, line.exception);
   if (!line.is_assumed || !is_above(seen, line.wcet, model)) return true;
   diagnostics
       .error(code::wcet_exceeded, line.at,

@@ -41,8 +41,8 @@ void merge(RunFigures& all, const RunFigures& more) {
   merge(all.chains, more.chains, kChainFigures);
   merge(all.responses, more.responses, kResponseFigures);
   for (std::size_t i = 0; i < all.claims.size(); ++i) merge(all.claims[i].lead, more.claims[i].lead);
-  merge(all.traffic, more.traffic);
-  merge(all.pins, more.pins);
+  merge_judged(all.traffic, more.traffic);
+  merge_judged(all.pins, more.pins);
 }
 
 }  // namespace finemote::gen

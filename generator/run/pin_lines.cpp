@@ -24,9 +24,6 @@ std::optional<std::uint32_t> line_of(const std::string& pin) {
   return number < 10 ? k5To9 : k10To15;
 }
 
-/// The clock of the board is off by less.
-constexpr Duration with_slow_clock(Duration window) { return window + ceil_div(window, 1'000); }
-
 /// What the model has of an entry of a type's `interrupts`; null: it is documentation.
 /// @param place  among those of the device that have this name
 const timing::InterruptSource* source_of(const timing::Model& model, const std::string& name, std::size_t place) {
@@ -84,7 +81,7 @@ std::vector<PinLine> pin_lines(const Robot& robot, const timing::Model& model, D
     for (const Device& device : robot.devices) {
       if (device.type == nullptr) continue;
       for (std::size_t i = 0; i < device.type->interrupts.size(); ++i)
-        add_entry(device, i, model, with_slow_clock(window), lines);
+        add_entry(device, i, model, with_clock_error(window), lines);
     }
   } catch (const Overflow&) {
     lines.clear();
@@ -105,17 +102,10 @@ std::vector<MeasuredPins> measure_pins(const Robot& robot, const timing::Model& 
   return all;
 }
 
-void merge(std::vector<MeasuredPins>& all, const std::vector<MeasuredPins>& more) {
-  for (std::size_t i = 0; i < all.size() && i < more.size(); ++i) {
-    const bool is_first = more[i].runs.judged() == Judgement::broken && all[i].runs.judged() != Judgement::broken;
-    if (is_first) all[i] = more[i];
-  }
-}
-
 bool check_pin_edges(const std::vector<MeasuredPins>& pins, Diagnostics& diagnostics) {
   bool holds = true;
   for (const MeasuredPins& measured : pins) {
-    if (measured.runs.judged() != Judgement::broken) continue;
+    if (measured.judged() != Judgement::broken) continue;
     holds = false;
     diagnostics
         .error(code::undeclared_traffic, measured.line.at,

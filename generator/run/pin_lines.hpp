@@ -30,13 +30,12 @@ struct MeasuredPins {
   PinLine line;
   Duration window;
   Declared<std::int64_t> runs;
+
+  [[nodiscard]] Judgement judged() const { return runs.judged(); }
 };
 
 /// Of one run on the emulated board.
 std::vector<MeasuredPins> measure_pins(const Robot& robot, const timing::Model& model, const RunRecord& record);
-
-/// Adds another run: what it shows counts where it is above what is declared, and nothing was so far.
-void merge(std::vector<MeasuredPins>& all, const std::vector<MeasuredPins>& more);
 
 /// Reports FM6015 for every line that interrupted more often than is declared: bounds are made from less.
 /// @return  whether there is none

@@ -14,9 +14,6 @@
 namespace finemote::gen {
 namespace {
 
-/// Times of the model are by the board's clock, of which a run says how far it is off: it is less than this.
-constexpr Duration with_clock_error(Duration window) { return window + ceil_div(window, 1'000); }
-
 /// A sender is understood whose clock is off by one part in 22 at most (RM0090 30.3.5): its bytes take as much longer.
 constexpr Duration of_slow_sender(Duration wire) { return wire + ceil_div(wire, 22); }
 
@@ -73,12 +70,6 @@ std::vector<MeasuredTraffic> measure_traffic(const Robot& robot, const timing::M
 const MeasuredTraffic* find_traffic(const std::vector<MeasuredTraffic>& all, BusId bus) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const MeasuredTraffic& t) { return t.bus == bus; });
   return found == all.end() ? nullptr : &*found;
-}
-
-void merge(std::vector<MeasuredTraffic>& all, const std::vector<MeasuredTraffic>& more) {
-  for (std::size_t i = 0; i < all.size() && i < more.size(); ++i) {
-    if (all[i].judged() != Judgement::broken && more[i].judged() == Judgement::broken) all[i] = more[i];
-  }
 }
 
 namespace {

@@ -23,6 +23,17 @@ struct Declared {
   }
 };
 
+/// Times of the model are by the board's clock, of which a run says how far it is off: it is less than this.
+constexpr Duration with_clock_error(Duration window) { return window + ceil_div(window, 1'000); }
+
+/// Adds another run: what it shows counts where it is above what is declared, and nothing was so far.
+template <class Of>
+void merge_judged(std::vector<Of>& all, const std::vector<Of>& more) {
+  for (std::size_t i = 0; i < all.size() && i < more.size(); ++i) {
+    if (all[i].judged() != Judgement::broken && more[i].judged() == Judgement::broken) all[i] = more[i];
+  }
+}
+
 struct MeasuredTraffic {
   BusId bus;
   Duration window;                             ///< for so long it was looked at
@@ -39,9 +50,6 @@ std::vector<MeasuredTraffic> measure_traffic(const Robot& robot, const timing::M
 
 /// That of a bus; null: nobody looked at it.
 const MeasuredTraffic* find_traffic(const std::vector<MeasuredTraffic>& all, BusId bus);
-
-/// Adds another run: what it shows counts where it is above what is declared, and nothing was so far.
-void merge(std::vector<MeasuredTraffic>& all, const std::vector<MeasuredTraffic>& more);
 
 /// Reports FM6015 for every bus on which more happens than is declared: its bounds are made from less.
 /// @return  whether there is none

@@ -12,13 +12,11 @@
 namespace finemote::gen::timing {
 namespace {
 
-/// A frame on CAN holds so many.
-constexpr std::int64_t kCanBytes = 8;
-
 /// Of one frame of a descriptor. What a part answers where others ask it needs no request.
 std::int64_t turns_of(const Frame& frame, const BusType& type) {
   if (!type.is_mastered && frame.write_bytes == 0) return 0;
-  return type.is_arbitrated ? std::max<std::int64_t>(ceil_div(frame.write_bytes, kCanBytes), 1) : 1;
+  return type.is_arbitrated ? std::max<std::int64_t>(ceil_div(frame.write_bytes, std::int64_t{SharedFrame::kBytes}), 1)
+                            : 1;
 }
 
 /// Some drivers take an exchange and what is written behind it in one request, none takes more.

@@ -113,11 +113,10 @@ class FlushAdder {
       of_bus.insert(frame->identifier);
       if (device.period == flush.period) identifiers.insert(frame->identifier);
     }
-    constexpr std::int64_t kFrameBytes = 8;
     const WireRate rate{robot_.segments[segment].bus_kind, model_.buses[*bus].baud_bps};
     WireUse use;
     for (std::size_t i = 0; i < std::max<std::size_t>(identifiers.size(), 1); ++i) {
-      use.add(rate, kFrameBytes, 0);
+      use.add(rate, SharedFrame::kBytes, 0);
     }
     use.in_one_request = true;
     flush.bus = bus;

@@ -84,16 +84,15 @@ std::optional<Duration> WireAnalysis::rest_of_job(Rank device) const {
                     [&](Duration release) { return profile_.table.r_minus(device, release); });
 }
 
-/// From the release of a job, and thus from its handle(), to the end of update(device) of one so many jobs later.
-std::optional<Duration> WireAnalysis::update_after(Rank device, std::int64_t jobs) const {
-  if (!profile_.responses.ok(profile_.set.bucket_of[device])) return std::nullopt;
-  return jobs * model_.devices[device].period + profile_.responses.r_plus[device];
+/// From the release of a job to the end of the stage that begins a transfer of the device.
+Duration WireAnalysis::stage_end(Rank device, Transfer::After stage) const {
+  return (stage == Transfer::After::update ? profile_.responses.r_plus : profile_.responses.r_minus)[device];
 }
 
-/// The same to the end of handle(device).
-std::optional<Duration> WireAnalysis::handle_after(Rank device, std::int64_t jobs) const {
+/// From the release of a job, and thus from its handle(), to the end of the stage in one so many jobs later.
+std::optional<Duration> WireAnalysis::stage_after(Rank device, Transfer::After stage, std::int64_t jobs) const {
   if (!profile_.responses.ok(profile_.set.bucket_of[device])) return std::nullopt;
-  return jobs * model_.devices[device].period + profile_.responses.r_minus[device];
+  return jobs * model_.devices[device].period + stage_end(device, stage);
 }
 
 /// The same to the end of the next job.
@@ -122,8 +121,7 @@ std::optional<std::int64_t> WireAnalysis::jobs_to_wait(Rank device, std::int64_t
     if (transfers[t].slot != slot) continue;
     const auto bound = transfers_.of(device, t);
     if (!bound) return std::nullopt;
-    const bool is_early = transfers[t].after == Transfer::After::update;
-    end = std::max(end, (is_early ? profile_.responses.r_plus : profile_.responses.r_minus)[device] + *bound);
+    end = std::max(end, stage_end(device, transfers[t].after) + *bound);
     turns = add(turns, transfers[t].turns);
   }
   const std::int64_t jobs = std::max<std::int64_t>(ceil_div(end, model_.devices[device].period), 1);
@@ -140,7 +138,7 @@ std::optional<Duration> WireAnalysis::command(Rank to) const {
   const auto after = [&](std::optional<Duration> first, std::optional<Duration> value) {
     raise(first && value ? std::optional<Duration>(*first + *value) : std::nullopt);
   };
-  if (device.sets_late) after(update_after(to, 1), device.output);
+  if (device.sets_late) after(stage_after(to, Transfer::After::update, 1), device.output);
   for (std::size_t t = 0; t < device.transfers.size(); ++t) {
     const Transfer& transfer = device.transfers[t];
     if (!transfer.command) continue;
@@ -151,9 +149,9 @@ std::optional<Duration> WireAnalysis::command(Rank to) const {
     else if (!waits)
       worst = std::nullopt;
     else if (transfer.after == Transfer::After::update)
-      after(update_after(to, *waits + 1), bound);
+      after(stage_after(to, transfer.after, *waits + 1), bound);
     else if (*waits > 0)
-      after(handle_after(to, *waits), bound);
+      after(stage_after(to, transfer.after, *waits), bound);
     else
       raise(bound);
   }
@@ -197,8 +195,7 @@ std::optional<Duration> WireAnalysis::streamed(Rank from) const {
 /// After the release of its job, at the latest: with its stage, or, where the part answers a frame that several devices
 /// fill, when that one has been sent.
 std::optional<Duration> WireAnalysis::asked_at(Rank device, const Transfer& transfer) const {
-  const bool is_early = transfer.after == Transfer::After::update;
-  Duration at = (is_early ? profile_.responses.r_plus : profile_.responses.r_minus)[device];
+  Duration at = stage_end(device, transfer.after);
   if (transfer.slot != 0 || transfer.writes) return at;
   for (std::size_t f = 0; f < model_.flushes.size(); ++f) {
     const Flush& flush = model_.flushes[f];

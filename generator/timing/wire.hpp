@@ -31,8 +31,8 @@ class WireAnalysis {
   [[nodiscard]] std::optional<std::int64_t> jobs_to_wait(Rank device, std::int64_t slot) const;
   [[nodiscard]] bool is_in_the_way(Rank from) const;
   [[nodiscard]] std::optional<Duration> rest_of_job(Rank device) const;
-  [[nodiscard]] std::optional<Duration> update_after(Rank device, std::int64_t jobs) const;
-  [[nodiscard]] std::optional<Duration> handle_after(Rank device, std::int64_t jobs) const;
+  [[nodiscard]] Duration stage_end(Rank device, Transfer::After stage) const;
+  [[nodiscard]] std::optional<Duration> stage_after(Rank device, Transfer::After stage, std::int64_t jobs) const;
   [[nodiscard]] std::optional<Duration> end_of_next_job(Rank device) const;
   [[nodiscard]] std::optional<Duration> end_of_job(std::size_t bucket, Duration handles, Duration latest,
                                                    const std::function<Duration(Duration release)>& of) const;
