@@ -101,7 +101,7 @@ void add_bus(const Robot& robot, const Bus& bus, const timing::Bus& charged, std
   Duration most;
   for (const timing::InterruptSource& source : *charged.sources) most = std::max(most, source.wcet);
   for (const InterruptLine& line : port->interrupts)
-    lines.push_back({static_cast<std::uint32_t>(line.number), limits.size()});
+    lines.push_back({line.number, limits.size()});
   limits.push_back({bus.name.text, most, driver->is_assumed ? Ground::assumed : Ground::measured, needs_of(bus)});
 }
 

@@ -42,7 +42,7 @@ struct DmaStream {
 
 struct InterruptLine {
   std::string name;  ///< `USART1`
-  int number = 0;
+  std::uint32_t number = 0;
 
   /// For people: `USART1 (line 37)`.
   [[nodiscard]] std::string text() const;
@@ -121,7 +121,7 @@ struct SpareLine {
 
 /// An interrupt line that no bucket may run in.
 struct ForbiddenLine {
-  int number = 0;
+  std::uint32_t number = 0;
   std::string why;
 };
 

@@ -79,14 +79,14 @@ class BoardCheck {
   }
   /// A line buckets may use can be neither forbidden nor an interrupt of a port.
   void check_lines(const Board& board) {
-    std::map<int, std::string> taken;
+    std::map<std::uint32_t, std::string> taken;
     for (const ForbiddenLine& line : board.forbidden_lines) taken[line.number] = "is forbidden: " + line.why;
     for (const Port& port : board.ports) {
       for (const InterruptLine& interrupt : port.interrupts)
         taken[interrupt.number] = fmt::format("is the interrupt {} of port '{}'", interrupt.name, port.name);
     }
     for (std::size_t i = 0; i < board.lines.size(); ++i) {
-      const int number = static_cast<int>(board.lines[i].number);
+      const std::uint32_t number = board.lines[i].number;
       const auto found = taken.find(number);
       if (found != taken.end())
         contradiction({"spare_lines", std::to_string(i), "line"}, fmt::format("line {} {}", number, found->second));

@@ -28,7 +28,7 @@ DmaStream read_dma(const Json& value) {
 }
 
 InterruptLine read_line(const Json& value) {
-  return {value.at("name").get<std::string>(), value.at("line").get<int>()};
+  return {value.at("name").get<std::string>(), value.at("line").get<std::uint32_t>()};
 }
 
 void read_resources(const Json& value, Port& port) {
@@ -49,7 +49,7 @@ void read_resources(const Json& value, Port& port) {
 }
 
 ForbiddenLine read_forbidden(const Json& value) {
-  return {value.at("line").get<int>(), value.at("why").get<std::string>()};
+  return {value.at("line").get<std::uint32_t>(), value.at("why").get<std::string>()};
 }
 
 SpareLine read_spare(const Json& value) {

@@ -37,7 +37,7 @@ Json exception_table(const Robot& robot, const Schedule& schedule) {
     const Port* port = robot.board->port(bus.port);
     if (port == nullptr) continue;
     for (const InterruptLine& line : port->interrupts) {
-      list[std::to_string(exception_of(static_cast<std::uint32_t>(line.number)))] = {
+      list[std::to_string(exception_of(line.number))] = {
           {"kind", "bus"}, {"bus", bus.name.text}, {"source", line.name}};
     }
   }

@@ -13,8 +13,6 @@
 namespace finemote::gen {
 namespace {
 
-std::uint32_t exception_for(const InterruptLine& line) { return exception_of(static_cast<std::uint32_t>(line.number)); }
-
 /// The longest run of a routine; 0: it never ran.
 Duration longest_of(const RunRecord& record, std::uint32_t exception) {
   const auto found = std::find_if(record.routine_times.begin(), record.routine_times.end(),
@@ -35,7 +33,7 @@ bool check_bus(const Bus& bus, const Port& port, const timing::Model& model, con
                Diagnostics& diagnostics) {
   bool holds = true;
   for (const InterruptLine& line : port.interrupts) {
-    const Duration seen = longest_of(record, exception_for(line));
+    const Duration seen = longest_of(record, exception_of(line.number));
     if (!is_above(seen, frames_at_once(bus, line) * *bus.isr_wcet, model)) continue;
     holds = false;
     diagnostics

@@ -37,7 +37,7 @@ std::string source_of(const TimedRobot& timed, unsigned exception) {
     const Port* port = timed.robot.board->port(bus.port);
     if (port == nullptr) continue;
     for (const InterruptLine& line : port->interrupts) {
-      if (exception_of(static_cast<std::uint32_t>(line.number)) == exception) return bus.name.text + "." + line.name;
+      if (exception_of(line.number) == exception) return bus.name.text + "." + line.name;
     }
   }
   return {};

@@ -286,10 +286,12 @@ void Traffic::allow_requests_of_slots(BusPlace bus) {
 /// interrupts. What the driver raises for frames is in the board file.
 void Traffic::add_own_lines(const gen::Device& device, Rank place) {
   for (const Interrupt& entry : device.type->interrupts) {
-    const bool is_given =
-        !entry.use.empty() && std::any_of(device.uses.begin(), device.uses.end(),
-                                          [&](const Use& use) { return use.spec->role == entry.use; });
-    if (is_given) own_lines(device).push_back(own_line(device, entry, place));
+    const auto use = std::find_if(device.uses.begin(), device.uses.end(),
+                                  [&](const Use& one) { return one.spec->role == entry.use; });
+    if (use == device.uses.end()) continue;
+    InterruptSource source = own_line(device, entry, place);
+    source.pin = DevicePin{place, use->pin};
+    own_lines(device).push_back(std::move(source));
   }
 }
 

@@ -75,8 +75,6 @@ bool Uart::quiet() {
 }
 
 std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
-  const Time at = now();
-  idle_ = port_->idle();
   count_line_errors();
   if (port_->receive_halted()) {
     count_fault(Module::uart, kReceiveHalted);
@@ -84,7 +82,10 @@ std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
     port_->restart_receive();
   }
 
-  std::uint32_t available = port_->received() - read_;
+  const Time at = now();
+  const UartSeen seen = port_->seen();
+  idle_ = seen.idle;
+  std::uint32_t available = seen.received - read_;
   if (left_ == kFirst && available > limits_.bytes) {  // since long ago: what came last is enough to begin with
     read_ += available - limits_.bytes;
     available = limits_.bytes;
@@ -119,7 +120,7 @@ Time Uart::arrival(std::size_t behind) const {
   if (idle.received == position) return idle.at - wire_time(1);
   if (idle_.received == position) return idle_.at - wire_time(1);
   const Time known = later(earliest(idle_, position), later(earliest(seen_, position), earliest(before_, position)));
-  const bool is_silence_to_come = tells_silence && static_cast<std::int32_t>(idle.received - position) < 0;
+  const bool is_silence_to_come = tells_silence && static_cast<std::int32_t>(idle_.received - position) < 0;
   return is_silence_to_come && seen_.received == position ? later(known, seen_.at - longest_silence()) : known;
 }
 
@@ -160,7 +161,7 @@ bool Uart::write(const std::uint8_t* bytes, std::size_t size) {
   return true;
 }
 
-bool Uart::idle() const { return port_->idle().received == read_ && port_->received() == read_; }
+bool Uart::idle() const { return idle_.received == read_ || port_->idle().received == read_; }
 
 std::size_t Uart::since_silence() const {
   const std::uint32_t now_silent = read_ - port_->idle().received;

@@ -58,6 +58,23 @@ TEST_CASE_METHOD(Fixture, "a read in the middle of a frame gives the part that h
   CHECK(uart.idle());
 }
 
+TEST_CASE_METHOD(Fixture, "a silence behind what was read stays one, whatever comes since") {
+  line.feed(0, count(10));
+  host::advance(5 * kMillisecond);
+  REQUIRE(read() == count(10));
+  const Time last = uart.arrival();
+  line.feed(now(), count(10, 10));
+  host::advance(2 * uart.wire_time(1));  // the begin of the next message
+  CHECK(uart.idle());
+  CHECK(uart.arrival() == last);
+  host::advance(5 * kMillisecond);  // all of it, and the silence behind it
+  CHECK(uart.idle());
+  CHECK(uart.arrival() == last);
+  REQUIRE(read() == count(10, 10));
+  CHECK(uart.idle());
+  CHECK(uart.arrival() > last);
+}
+
 TEST_CASE_METHOD(Fixture, "a reader that comes too late loses old bytes, counted, and reads whole new ones") {
   line.feed(0, count(256));
   line.feed(0, count(100));

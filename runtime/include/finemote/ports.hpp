@@ -74,6 +74,12 @@ struct UartIdle {
   Time at = kLongAgo;          ///< not later than the event
 };
 
+/// What a line had brought at one instant.
+struct UartSeen {
+  std::uint32_t received = 0;  ///< bytes since start, modulo 2^32
+  UartIdle idle;               ///< the last time it had fallen silent
+};
+
 /// A serial port that receives into a ring by DMA and sends one block at a time by DMA.
 class UartPort {
  public:
@@ -99,6 +105,8 @@ class UartPort {
   /// The last idle-line event, both members of one event; of one that had to wait, the time is earlier. Context:
   /// bucket.
   [[nodiscard]] UartIdle idle() const;
+  /// received() and idle() of one instant: nothing came between the two. Context: bucket.
+  [[nodiscard]] UartSeen seen() const;
 
   /// Whether the line's silence behind the first `received` bytes would be an idle-line event: events interrupt, and
   /// did before the last of them came. Context: bucket.

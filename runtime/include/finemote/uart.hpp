@@ -78,8 +78,8 @@ class Uart {
   /// Most bytes of one write(), at least 64. Context: any.
   [[nodiscard]] std::size_t capacity() const { return port_->transmit_capacity(); }
 
-  /// True when the line has been silent since the last byte read() returned: a message without terminator is complete.
-  /// Context: the device's bucket.
+  /// True when the line fell silent behind the last byte read() returned, whatever came since: a message without
+  /// terminator is complete. Context: the device's bucket.
   [[nodiscard]] bool idle() const;
   /// Bytes read behind the last silence of the line that is known of. Context: the device's bucket.
   [[nodiscard]] std::size_t since_silence() const;
@@ -113,7 +113,7 @@ class Uart {
   std::uint32_t read_ = 0;         ///< bytes taken since start, modulo 2^32
   std::uint32_t line_errors_ = 0;  ///< seen so far
   UartIdle seen_, before_;         ///< when the line had brought what is read, and less than that
-  UartIdle idle_;                  ///< the last silence before what is read was counted
+  UartIdle idle_;                  ///< the last silence when what is read was counted
   Time send_deadline_ = 0;
   BusCounters counters_;
 };

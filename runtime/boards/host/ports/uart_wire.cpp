@@ -85,6 +85,8 @@ UartIdle UartPort::idle() const {
   return hardware_->idle;
 }
 
+UartSeen UartPort::seen() const { return {received(), idle()}; }
+
 bool UartPort::tells_silence_after(std::uint32_t) const { return !hardware_->halted; }
 
 UartErrors UartPort::errors() const { return hardware_->errors; }

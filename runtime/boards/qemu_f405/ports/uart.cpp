@@ -8,6 +8,7 @@ void UartPort::allow_events(std::uint32_t) {}
 void UartPort::drive_with(std::uint8_t, bool) {}
 std::uint32_t UartPort::received() const { return 0; }
 UartIdle UartPort::idle() const { return {}; }
+UartSeen UartPort::seen() const { return {}; }
 bool UartPort::tells_silence_after(std::uint32_t) const { return false; }
 UartErrors UartPort::errors() const { return {}; }
 bool UartPort::receive_halted() const { return false; }

@@ -115,15 +115,23 @@ std::uint32_t UartPort::received() const {
   return count;
 }
 
-std::uint32_t UartHardware::count() {
+UartSeen UartPort::seen() const {
+  UartSeen seen;
+  const std::uint32_t before = hardware_->counted.load();
+  seen.received = hardware_->count(&seen.idle);
+  if (seen.received != before) cortex_m4::spin(kStoreTurns);
+  return seen;
+}
+
+std::uint32_t UartHardware::count(UartIdle* idle) {
   const std::uint32_t before = counted.load();  // what is read from now on is no less
-  const RingPlace place = ring_place();
+  const RingPlace place = ring_place(idle);
   return forward(before, place.laps * ring.size + place.position);
 }
 
 /// The routine that counts a lap is kept out. Where the flag comes up between its two reads, the lap ended within them:
 /// the position is one of the last before or of the first behind. A second lap needs a whole ring of more bytes.
-UartHardware::RingPlace UartHardware::ring_place() const {
+UartHardware::RingPlace UartHardware::ring_place(UartIdle* idle_now) const {
   const stm32f4::DmaStream& stream = setup.receive;
   const stm32f4::Register status = stream.status(), ndtr = stream.ndtr();
   std::uint32_t before = 0, left = 0, after = 0, full = 0;
@@ -133,6 +141,7 @@ UartHardware::RingPlace UartHardware::ring_place() const {
     left = ndtr.read();
     after = status.read();
     full = laps.load();
+    if (idle_now != nullptr) *idle_now = idle;
   }
   const std::uint32_t position = (ring.size - left) & (ring.size - 1);
   const bool was_full = (stream.flags_in(before) & dma::kFlagComplete) != 0;
@@ -149,12 +158,8 @@ std::uint32_t UartHardware::forward(std::uint32_t before, std::uint32_t count) {
 }
 
 UartIdle UartPort::idle() const {
-  for (unsigned tries = 0;; ++tries) {
-    retried_if_interrupted<RetriedBy::event>();
-    const std::uint32_t count = hardware_->idle_count.load();
-    const UartIdle idle = hardware_->idle;
-    if (hardware_->idle_count.load() == count || tries == 3) return idle;  // idle events are 20 bits apart or more
-  }
+  const cortex_m4::Masked masked;
+  return hardware_->idle;
 }
 
 bool UartPort::tells_silence_after(std::uint32_t received) const {
@@ -241,7 +246,6 @@ void UartHardware::take_events(std::uint32_t status, Time at) {
     // known that it is no older than the last event before.
     const std::uint32_t count = this->count();  // all of it in memory: a byte's time ago nothing came
     idle = UartIdle{count, count == resumed_from ? quiet_since : at};
-    idle_count.store(idle_count.load() + 1);
   }
   const std::uint32_t left = events_left.load();
   events_left.store(left - 1);

@@ -32,7 +32,6 @@ struct UartHardware {
   UartRing ring{};
   Shared<std::uint32_t> laps{0};     ///< times the ring was filled
   Shared<std::uint32_t> counted{0};  ///< bytes received when last asked
-  Shared<std::uint32_t> idle_count{0};
   UartIdle idle{};
   UartErrors errors{};
   Shared<std::uint32_t> events_left{0};
@@ -49,7 +48,8 @@ struct UartHardware {
     if (directed) driver.set(on != driver_low);
   }
   /// Bytes received since start, modulo 2^32, the last one perhaps not in memory yet. Context: any.
-  [[nodiscard]] std::uint32_t count();
+  /// @param idle  the last silence at that instant; null: not wanted
+  [[nodiscard]] std::uint32_t count(UartIdle* idle = nullptr);
   /// The routines of its lines. Context: interrupt.
   void on_usart();
   void on_receive_dma();
@@ -58,7 +58,7 @@ struct UartHardware {
   struct RingPlace {
     std::uint32_t laps, position;
   };
-  [[nodiscard]] RingPlace ring_place() const;
+  [[nodiscard]] RingPlace ring_place(UartIdle* idle) const;
   [[nodiscard]] std::uint32_t forward(std::uint32_t before, std::uint32_t count);
   void take_events(std::uint32_t status, Time at);
 };
