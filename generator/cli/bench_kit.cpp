@@ -100,8 +100,7 @@ void add_bus(const Robot& robot, const Bus& bus, const timing::Bus& charged, std
   if (port == nullptr || driver == nullptr || !charged.sources || charged.sources->empty()) return;
   Duration most;
   for (const timing::InterruptSource& source : *charged.sources) most = std::max(most, source.wcet);
-  for (const InterruptLine& line : port->interrupts)
-    lines.push_back({line.number, limits.size()});
+  for (const InterruptLine& line : port->interrupts) lines.push_back({line.number, limits.size()});
   limits.push_back({bus.name.text, most, driver->is_assumed ? Ground::assumed : Ground::measured, needs_of(bus)});
 }
 

@@ -30,8 +30,7 @@ void add_source(const Robot& robot, const timing::Model& model, const timing::In
                 std::vector<PinLine>& lines) {
   const std::string& device = model.devices[source.pin->device].name;
   const std::uint32_t exception = exception_of(edge_interrupt(pin_name(source.pin->name)));
-  auto line =
-      std::find_if(lines.begin(), lines.end(), [&](const PinLine& one) { return one.exception == exception; });
+  auto line = std::find_if(lines.begin(), lines.end(), [&](const PinLine& one) { return one.exception == exception; });
   if (line == lines.end()) line = lines.insert(line, PinLine{exception, place_of(robot, device)});
   line->devices += (line->devices.empty() ? "'" : ", '") + device + "'";
   line->wcet += source.wcet;

@@ -117,9 +117,7 @@ std::vector<LoggedEvent> log_of(const Json& audit) {
 std::int64_t runs_of(const Json& exceptions, const Port& port) {
   std::int64_t runs = 0;
   for (const Json& exception : exceptions) {
-    const auto is_own = [&](const InterruptLine& line) {
-      return exception.at(0) == exception_of(line.number);
-    };
+    const auto is_own = [&](const InterruptLine& line) { return exception.at(0) == exception_of(line.number); };
     if (std::any_of(port.interrupts.begin(), port.interrupts.end(), is_own))
       runs += exception.at(1).get<std::int64_t>();
   }

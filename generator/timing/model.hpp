@@ -41,7 +41,7 @@ struct FrameBudget {
 
 /// A pin that a device has to itself.
 struct DevicePin {
-  Rank device = 0;
+  Rank device;
   std::string name;  ///< `PA0`
 };
 
@@ -51,11 +51,11 @@ struct InterruptSource {
   Duration wcet;                     ///< one run of its service routine
   Duration min_interval;             ///< >= 1 ns; two interrupts are never closer
   std::vector<FrameBudget> budgets;  ///< empty: only the interval bounds it
-  std::optional<DevicePin> pin;      ///< whose edges cause it
   bool of_transfers = false;  ///< only the transfer that is on the wire causes it, of which there is one at a time
   bool ends_frame = false;  ///< the end of a frame on the wire causes it, as it does the others of the bus that say so
   bool steals = false;      ///< no routine: the DMA delays accesses of the core, this long for one byte
   WcetSource source = WcetSource::unknown;
+  std::optional<DevicePin> pin = {};  ///< whose edges cause it
 };
 
 /// What a message can offer where a bus is too slow; empty where nobody knows.

@@ -246,8 +246,7 @@ TEST_CASE("the ports of a board name what they occupy, and its spare lines what 
   CHECK(pins == port->pins.size());
   CHECK(board.first_bucket_level < board.last_bucket_level);
   for (const SpareLine& line : board.lines) {
-    for (const ForbiddenLine& forbidden : board.forbidden_lines)
-      CHECK(static_cast<int>(line.number) != forbidden.number);
+    for (const ForbiddenLine& forbidden : board.forbidden_lines) CHECK(line.number != forbidden.number);
   }
 }
 

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 254455, finemote::kNothingToBound, nullptr},  // imu
-    {1, 571982, finemote::kNothingToBound, nullptr},  // depth
-    {1, 569282, finemote::kNothingToBound, nullptr},  // button
-    {1, 566582, 24076530, &station::servo.command},  // servo
-    {1, 561714, 24071794, &station::green_led.command},  // green_led
-    {1, 555739, 24065688, &station::blue_led.command},  // blue_led
-    {1, 549561, finemote::kNothingToBound, nullptr},  // station
+    {0, 252573, finemote::kNothingToBound, nullptr},  // imu
+    {1, 569539, finemote::kNothingToBound, nullptr},  // depth
+    {1, 566839, finemote::kNothingToBound, nullptr},  // button
+    {1, 564139, 24074153, &station::servo.command},  // servo
+    {1, 559270, 24069417, &station::green_led.command},  // green_led
+    {1, 553164, 24063245, &station::blue_led.command},  // blue_led
+    {1, 547118, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 248.923 us of its release.
+/// a job ends within 247.041 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 547.334 us of its release.
+/// a job ends within 544.891 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{248923, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{541219, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{541219, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{541219, 24064398, 24157758};
-inline constexpr finemote::Bounds green_led{539182, 24062296, 24157824};
-inline constexpr finemote::Bounds blue_led{535908, 24059021, 24157823};
-inline constexpr finemote::Bounds station{532496, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{247041, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{538775, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{538775, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{538775, 24061955, 24145794};
+inline constexpr finemote::Bounds green_led{536739, 24059918, 24153725};
+inline constexpr finemote::Bounds blue_led{533465, 24056512, 24153725};
+inline constexpr finemote::Bounds station{529987, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 373286, finemote::kNothingToBound, nullptr},  // imu
-    {1, 939022, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 936322, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 933556, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 930856, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 928156, 31229384, &rov::thruster_1.command},  // thruster_1
-    {1, 921191, 31219126, &rov::thruster_2.command},  // thruster_2
-    {1, 916632, 31214567, &rov::thruster_3.command},  // thruster_3
-    {1, 912008, 31209938, &rov::thruster_4.command},  // thruster_4
-    {1, 907444, 31202972, &rov::thruster_5.command},  // thruster_5
-    {1, 902892, 31198420, &rov::thruster_6.command},  // thruster_6
-    {1, 895926, 31193861, &rov::thruster_7.command},  // thruster_7
-    {1, 891302, 31189238, &rov::thruster_8.command},  // thruster_8
-    {1, 886744, finemote::kNothingToBound, nullptr},  // rov
+    {0, 370658, finemote::kNothingToBound, nullptr},  // imu
+    {1, 932954, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 930254, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 927554, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 922447, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 919746, 31215346, &rov::thruster_1.command},  // thruster_1
+    {1, 915188, 31210788, &rov::thruster_2.command},  // thruster_2
+    {1, 910564, 31206158, &rov::thruster_3.command},  // thruster_3
+    {1, 906006, 31199264, &rov::thruster_4.command},  // thruster_4
+    {1, 899034, 31194634, &rov::thruster_5.command},  // thruster_5
+    {1, 894482, 31190082, &rov::thruster_6.command},  // thruster_6
+    {1, 889858, 31185457, &rov::thruster_7.command},  // thruster_7
+    {1, 885300, 31178558, &rov::thruster_8.command},  // thruster_8
+    {1, 880676, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

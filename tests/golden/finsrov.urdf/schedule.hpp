@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 367.8 us of its release.
+/// a job ends within 365.238 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 919.125 us of its release.
+/// a job ends within 913.123 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{367800, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{873980, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{873980, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{873980, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{873980, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{873980, 31162674, 34952763};
-inline constexpr finemote::Bounds thruster_2{872122, 31160750, 34952697};
-inline constexpr finemote::Bounds thruster_3{870198, 31158892, 34955104};
-inline constexpr finemote::Bounds thruster_4{868340, 31157034, 34955104};
-inline constexpr finemote::Bounds thruster_5{866476, 31155170, 34955104};
-inline constexpr finemote::Bounds thruster_6{858923, 31153317, 34955104};
-inline constexpr finemote::Bounds thruster_7{854724, 31151393, 34970161};
-inline constexpr finemote::Bounds thruster_8{852866, 31149535, 34970162};
-inline constexpr finemote::Bounds rov{851008, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{365238, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{867912, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{867912, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{867912, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{867912, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{867912, 31154563, 34922178};
+inline constexpr finemote::Bounds thruster_2{866054, 31152705, 34922178};
+inline constexpr finemote::Bounds thruster_3{858722, 31150846, 34922177};
+inline constexpr finemote::Bounds thruster_4{854523, 31148922, 34924518};
+inline constexpr finemote::Bounds thruster_5{852659, 31147058, 34924518};
+inline constexpr finemote::Bounds thruster_6{850807, 31145206, 34924518};
+inline constexpr finemote::Bounds thruster_7{848883, 31141007, 34922178};
+inline constexpr finemote::Bounds thruster_8{847025, 31139149, 34937301};
+inline constexpr finemote::Bounds rov{845167, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 360191, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 255303, 28934983, &arm::base.command},  // base
-    {0, 248864, 28928544, &arm::shoulder.command},  // shoulder
-    {0, 242419, 28922099, &arm::elbow.command},  // elbow
-    {0, 235979, 28915659, &arm::wrist_roll.command},  // wrist_roll
-    {0, 212159, 28891839, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 205720, 28885400, &arm::flange.command},  // flange
-    {0, 193426, finemote::kNothingToBound, nullptr},  // arm
+    {1, 357139, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 254622, 28934302, &arm::base.command},  // base
+    {0, 248183, 28927863, &arm::shoulder.command},  // shoulder
+    {0, 241738, 28921418, &arm::elbow.command},  // elbow
+    {0, 235298, 28914978, &arm::wrist_roll.command},  // wrist_roll
+    {0, 211478, 28891158, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 205039, 28884719, &arm::flange.command},  // flange
+    {0, 192972, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 211.973 us of its release.
+/// a job ends within 211.292 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 308.614 us of its release.
+/// a job ends within 305.563 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{308614, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{209127, 28888807, 29205685};
-inline constexpr finemote::Bounds shoulder{205388, 28885068, 29205686};
-inline constexpr finemote::Bounds elbow{201643, 28881323, 29205686};
-inline constexpr finemote::Bounds wrist_roll{192055, 28871735, 29199837};
-inline constexpr finemote::Bounds wrist_pitch{188310, 28867990, 29199837};
-inline constexpr finemote::Bounds flange{184571, 28864251, 29199837};
-inline constexpr finemote::Bounds arm{180826, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{305563, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{208446, 28888126, 29204777};
+inline constexpr finemote::Bounds shoulder{204707, 28884387, 29204778};
+inline constexpr finemote::Bounds elbow{200962, 28880642, 29204778};
+inline constexpr finemote::Bounds wrist_roll{191601, 28871281, 29199156};
+inline constexpr finemote::Bounds wrist_pitch{187856, 28867536, 29199156};
+inline constexpr finemote::Bounds flange{184117, 28863797, 29199156};
+inline constexpr finemote::Bounds arm{180372, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm
