@@ -42,6 +42,7 @@ Frame read_frame(const Json& value) {
   frame.unit = value.value("unit", 0);
   frame.min_interval = duration_member(value, "min_interval_ns");
   frame.shared = read_shared(value);
+  frame.has_sample = value.value("has_sample", frame.has_sample);
   frame.in_dma_memory = value.value("in_dma_memory", false);
   frame.summary = value.value("summary", std::string());
   return frame;

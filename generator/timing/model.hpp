@@ -88,7 +88,7 @@ struct Bus {
 enum class UnknownAge {
   none,              ///< it is known, or there are none
   no_acquisition,    ///< nothing says so
-  never_asked,       ///< its part only sends by itself, and its type says that it is asked
+  sent_by_itself,    ///< its part sends some by itself, and its type says that it is asked
   busy_slot,         ///< a measurement may find its slot taken by another transfer of the device
   shared_converter,  ///< another device measures with the same converter, which drops what nobody has taken
 };

@@ -23,7 +23,7 @@ inline constexpr Word<InterruptCause> kCauseWords[] = {{InterruptCause::clock, "
 
 inline constexpr Word<UnknownAge> kUnknownAgeWords[] = {{UnknownAge::none, "none"},
                                                         {UnknownAge::no_acquisition, "no_acquisition"},
-                                                        {UnknownAge::never_asked, "never_asked"},
+                                                        {UnknownAge::sent_by_itself, "sent_by_itself"},
                                                         {UnknownAge::busy_slot, "busy_slot"},
                                                         {UnknownAge::shared_converter, "shared_converter"}};
 

@@ -57,9 +57,11 @@ std::string unknown_age_text(const Device& device) {
   if (device.unknown_age == UnknownAge::no_acquisition)
     return fmt::format("what '{}' reads is older than its update(), and its type does not say how much ('acquisition')",
                        device.name);
-  if (device.unknown_age == UnknownAge::never_asked)
+  if (device.unknown_age == UnknownAge::sent_by_itself)
     return fmt::format(
-        "what '{}' reads comes by itself, and its type says that it is asked for it ('polled'): not how often it comes",
+        "some of what '{}' reads comes by itself, and its type says that it is asked for it ('polled'): not how often "
+        "it "
+        "comes",
         device.name);
   if (device.unknown_age == UnknownAge::shared_converter)
     return fmt::format("another device measures with the converter of '{}', which drops what nobody has taken yet",

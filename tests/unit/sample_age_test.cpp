@@ -84,13 +84,16 @@ TEST_CASE("a command waits for as many jobs as the transfers of its device take 
   CHECK((!wire("10kHz") || *wire("10kHz") > finemote::gen::milliseconds(15)));
 }
 
-TEST_CASE("what only comes by itself is as old as nobody knows where its type says that it is asked for") {
+TEST_CASE("what comes by itself is as old as nobody knows where its type says that it is asked for") {
   const Timing timing = timing_of(kCan, R"(type="never_asked")");
   CHECK_FALSE(chain(timing, "own", "own").acquire);
   REQUIRE(timing.missing.size() == 1);
-  CHECK(
-      timing.missing.front().why ==
-      "what 'own' reads comes by itself, and its type says that it is asked for it ('polled'): not how often it comes");
+  CHECK(timing.missing.front().why ==
+        "some of what 'own' reads comes by itself, and its type says that it is asked for it ('polled'): not how often "
+        "it "
+        "comes");
+  CHECK_FALSE(chain(timing_of(kCan, R"(type="asked_and_told")"), "own", "own").acquire);
+  CHECK(chain(timing_of(kCan, R"(type="asked_and_warned")"), "own", "own").acquire);
 }
 
 TEST_CASE("what update() sets of an output or a pin leaves a period later than what handle() sets") {
