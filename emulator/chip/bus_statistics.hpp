@@ -11,7 +11,7 @@ struct BusStatistics {
   std::uint64_t transfers = 0;  ///< I2C: START to STOP; UART: bursts both ways; CAN: frames; SPI: exchanges
   std::uint64_t bytes = 0;
   std::uint64_t errors = 0;
-  Time busy = 0;      ///< time the wire was in use; UART: of the line the board sends on
+  Time busy = 0;      ///< time of all bits on the wire; UART: of the line the board sends on
   Time received = 0;  ///< UART: the same of the line it receives on
 };
 

@@ -27,12 +27,6 @@ std::uint32_t I2c::bus_hz() const {
   return clock / (count * factor);
 }
 
-BusStatistics I2c::statistics() const {
-  BusStatistics result = statistics_;
-  if ((sr2_ & kBusy) != 0) result.busy += world_.now() - busy_since_;
-  return result;
-}
-
 void I2c::update() {
   const bool buffer = (cr2_ & kBufferInterrupt) != 0 && (sr1_ & (kTxe | kRxne)) != 0;
   world_.set_line(wiring_.event_line, (cr2_ >> 9 & 1) != 0 && ((sr1_ & (kSb | kAddr | kBtf)) != 0 || buffer));
@@ -51,8 +45,9 @@ void I2c::ask_dma() {
   asking_ = false;
 }
 
-void I2c::later(Time delay, void (I2c::*what)()) {
-  world_.after(delay, [this, token = ++token_, what] {
+void I2c::clock(unsigned count, void (I2c::*what)(), Time longer) {
+  statistics_.busy += bits(count);
+  world_.after(bits(count) + longer, [this, token = ++token_, what] {
     if (token == token_) {
       (this->*what)();
       ask_dma();
@@ -73,7 +68,6 @@ void I2c::write_cr1(std::uint32_t value) {
   const std::uint32_t rising = value & ~cr1_;
   cr1_ = value;
   if ((value & kOn) == 0) {  // off: flags cleared, lines released
-    if ((sr2_ & kBusy) != 0) statistics_.busy += world_.now() - busy_since_;
     sr1_ = sr2_ = 0;
     cr1_ &= ~(kStart | kStop);
     state_ = State::idle;
@@ -93,14 +87,11 @@ void I2c::request_start() {
   if (repeated && state_ != State::send_wait && state_ != State::receive_wait) return;  // after the byte under way
   sr1_ &= ~(kBtf | kTxe);
   go(State::starting);
-  later(bits(repeated ? 2 : 1), &I2c::start_done);
+  clock(repeated ? 2 : 1, &I2c::start_done);
 }
 
 void I2c::start_done() {
-  if ((sr2_ & kBusy) == 0) {
-    busy_since_ = world_.now() - bits(1);
-    ++statistics_.transfers;
-  }
+  if ((sr2_ & kBusy) == 0) ++statistics_.transfers;
   cr1_ &= ~kStart;
   if (lost_starts != 0) {  // back to slave mode; the other master is soon done: RM0090 27.3.4
     --lost_starts;
@@ -161,7 +152,7 @@ void I2c::begin_send() {
   sr1_ |= kTxe;
   sr1_ &= ~kBtf;
   go(State::sending);
-  later(bits(9), &I2c::byte_sent);
+  clock(9, &I2c::byte_sent);
 }
 
 void I2c::byte_sent() {
@@ -182,7 +173,7 @@ void I2c::byte_sent() {
 
 void I2c::begin_receive() {
   go(State::receiving);
-  later(bits(9), &I2c::byte_received);
+  clock(9, &I2c::byte_received);
 }
 
 void I2c::byte_received() {
@@ -237,13 +228,12 @@ void I2c::request_stop() {
 
 void I2c::begin_stop() {
   go(State::stopping);
-  later(bits(1) + from_ns(world_.silicon().draw_or_zero(Strictness::i2c_stop)), &I2c::stop_done);
+  clock(1, &I2c::stop_done, from_ns(world_.silicon().draw_or_zero(Strictness::i2c_stop)));
 }
 
 void I2c::stop_done() {
   line.stop();
   tell("stop", 0, true);
-  statistics_.busy += world_.now() - busy_since_;
   cr1_ &= ~kStop;
   sr2_ = 0;
   sr1_ &= ~(kTxe | kBtf | kSb | kAddr);
@@ -317,7 +307,7 @@ void I2c::write(std::uint32_t offset, std::uint32_t value) {
         sr1_ &= ~kSb;
         shift_ = static_cast<std::uint8_t>(value);
         go(State::addressing);
-        later(bits(9), &I2c::address_done);
+        clock(9, &I2c::address_done);
       } else if ((sr2_ & kTransmitter) != 0) {
         data_ = {static_cast<std::uint8_t>(value), world_.crossing()[0]};
         data_full_ = true;

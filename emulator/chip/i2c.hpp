@@ -32,7 +32,7 @@ class I2c : public Peripheral {
   std::function<void(const char* what, std::uint8_t byte, bool acknowledged)> on_wire;
   /// A part is in the middle of sending a byte.
   [[nodiscard]] bool receiving() const { return state_ == State::receiving; }
-  [[nodiscard]] BusStatistics statistics() const;
+  [[nodiscard]] const BusStatistics& statistics() const { return statistics_; }
   /// Bus clock that CCR gives [Hz].
   [[nodiscard]] std::uint32_t bus_hz() const;
   /// The next START is seen misplaced: BERR, as a disturbed wire causes it.
@@ -55,7 +55,8 @@ class I2c : public Peripheral {
   };
 
   [[nodiscard]] Time bits(unsigned count) const { return count * period_of(bus_hz()); }
-  void later(Time delay, void (I2c::*what)());
+  /// So many bits are on the wire, and then comes `what`.
+  void clock(unsigned count, void (I2c::*what)(), Time longer = 0);
   void go(State state) { state_ = state; }
   void write_cr1(std::uint32_t value);
   void request_start();
@@ -92,7 +93,6 @@ class I2c : public Peripheral {
   bool last_comes_ = false;  ///< by DMA: the next byte is not acknowledged
   unsigned byte_index_ = 0;
   BusStatistics statistics_;
-  Time busy_since_ = 0;
 };
 
 }  // namespace finemote::emulator

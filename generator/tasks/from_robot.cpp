@@ -40,6 +40,7 @@ std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device&
     result.conversion = longest_counted(robot, converter);
   } else {
     result.periods = given.periods.value_or(1);
+    result.begun_every = given.begun_every.value_or(result.periods);
     result.conversion = longest_counted(robot, std::max(conversion_time(device), converter));
   }
   return result;

@@ -100,6 +100,7 @@ Json device_json(const Model& model, const Device& d) {
     Json& a = out["acquisition"] = Json{{"fixed_ns", d.acquisition->fixed.ns()}};
     add_if(a, "interval_ns", d.acquisition->interval);
     add_if(a, "periods", d.acquisition->periods);
+    if (d.acquisition->begun_every != 1) a["begun_every"] = d.acquisition->begun_every;
     if (d.acquisition->every != 1) a["every"] = d.acquisition->every;
     add_if(a, "conversion_ns", d.acquisition->conversion);
     if (d.acquisition->assumed) a["assumed"] = true;

@@ -143,6 +143,7 @@ struct ModelReader::Tables {
   static constexpr Field<Acquisition> kAcquisition[] = {
       {"fixed_ns", Need::target, &Acquisition::fixed},           {"interval_ns", Need::target, &Acquisition::interval},
       {"periods", Need::target, &Acquisition::periods},          {"every", Need::target, &Acquisition::every, 1},
+      {"begun_every", Need::target, &Acquisition::begun_every, 1},
       {"conversion_ns", Need::target, &Acquisition::conversion}, {"assumed", Need::target, &Acquisition::assumed},
   };
   static constexpr Field<Transfer> kTransfer[] = {

@@ -28,6 +28,24 @@ Duration dated_early(const Model& model, BusPlace place) {
   return ceil_div(seconds(1), bus.baud_bps) + routine + model.costs.interrupt;
 }
 
+/// On a line of two: the firmware dates a frame by the silence behind it. Where there may be none, as another frame
+/// follows at once, all bytes that came together are dated as if as much silence lay between them: for each twice its
+/// time. They are part of what the device receives.
+Duration dated_without_silence(const Model& model, const Device& device) {
+  constexpr std::int64_t kLongestByteBits = 12;
+  Duration all;
+  std::int64_t kinds = 0;
+  bool has_gap = true;
+  for (const Transfer& transfer : device.transfers) {
+    if (!transfer.receive) continue;
+    const Duration least = 2 * ceil_div(kLongestByteBits * seconds(1), model.buses[transfer.bus].baud_bps);
+    all += transfer.wire;
+    has_gap = has_gap && transfer.min_interval - transfer.wire > least;
+    ++kinds;
+  }
+  return kinds == 1 && has_gap ? Duration::zero() : 2 * all;
+}
+
 /// Whether this transfer can bring a sample: one that reads. Where none is known to, as of a model in a file, any that
 /// carries no command, or all where nothing is asked for in update().
 bool measures(const Device& device, const Transfer& transfer) {
@@ -189,7 +207,7 @@ std::optional<Duration> WireAnalysis::streamed(Rank from) const {
     wire = std::max(wire, *bound + dated_early(model_, device.transfers[t].bus));
   }
   const Acquisition& a = *device.acquisition;
-  return a.fixed + a.interval + wire + profile_.set.blocking;
+  return a.fixed + a.interval + wire + dated_without_silence(model_, device) + profile_.set.blocking;
 }
 
 /// After the release of its job, at the latest: with its stage, or, where the part answers a frame that several devices
@@ -226,10 +244,11 @@ std::optional<Duration> WireAnalysis::asked(Rank from) const {
   const Duration response = profile_.responses.r_plus[from];
   busy = std::max(busy, response) + a.conversion;
   const std::int64_t extra = std::max<std::int64_t>(ceil_div(busy, device.period) - 1, 0);
-  // Measured in `periods` and published then; read until just before the next one that is published, of which each
-  // measurement takes 1 + extra periods and `every` of them one value.
+  // Measured in `periods` and published then; read until just before the next one that is published, of which each is
+  // begun so many periods after the one before, and `every` of them make one value.
   const std::int64_t least = std::max<std::int64_t>(a.periods, 1);
-  const std::int64_t periods = add(add(least, extra), multiply(a.every, extra + 1) - 1);
+  const std::int64_t apart = add(std::max<std::int64_t>(a.begun_every, 1), extra);
+  const std::int64_t periods = add(add(least, extra), multiply(a.every, apart) - 1);
   return a.fixed + a.interval + response + periods * device.period;
 }
 

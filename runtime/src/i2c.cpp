@@ -231,16 +231,8 @@ void I2cBus::supervise() {
   switch (mode_.load()) {
     case Mode::kOff:
       return;
-    case Mode::kReady: {
-      const std::uint32_t unit = unit_.load();
-      const Time deadline = begun_ + 2 * unit_bytes_ * Duration{byte_time_} + kDeadlineSlack;
-      Shared<std::uint32_t>::fence();
-      // An odd number that has not changed: what was read is this unit's, and whole.
-      if (unit % 2 == 0 || unit_.load() != unit || now() <= deadline) return;
-      overdue_.store(unit);
-      port_->pend();
-      return;
-    }
+    case Mode::kReady:
+      return look_at_unit();
     case Mode::kRecover:
       return carry_recovery_on();
     case Mode::kStuck:
@@ -250,6 +242,19 @@ void I2cBus::supervise() {
       mode_.store(Mode::kRecover);
       return;
   }
+}
+
+/// A unit is overdue that stands still behind its deadline. A step is less than three bytes long on the wire.
+void I2cBus::look_at_unit() {
+  const std::uint32_t unit = unit_.load(), steps = port_->steps();
+  const Time deadline = begun_ + 2 * unit_bytes_ * Duration{byte_time_} + kDeadlineSlack;
+  const Time at = now();
+  // An odd number that has not changed: what was read is this unit's, and whole.
+  if (unit % 2 == 0 || unit_.load() != unit || port_->steps() != steps) return;
+  const Duration still = standstill_.lasts(unit + steps, at);
+  if (at <= deadline || still <= 3 * byte_time_) return;
+  overdue_.store(unit);
+  port_->pend();
 }
 
 void I2cBus::carry_recovery_on() {

@@ -49,9 +49,11 @@ bool Rs485::quiet() {
   return active_ == nullptr;
 }
 
+// The time comes first: where this is preempted for long, what comes meanwhile came in time.
 void Rs485::take_reply() {
+  const bool is_overdue = now() > deadline_;
   if (port_->transmitting()) {
-    if (now() > deadline_) {
+    if (is_overdue) {
       only_after_fault();
       port_->abort_transmit();
       finish(SlotState::kFailed);
@@ -64,7 +66,7 @@ void Rs485::take_reply() {
     for (std::uint32_t i = 0; i < size; ++i) slot.reply_[i] = ring_.bytes[(reply_from_ + i) & (ring_.size - 1)];
     return finish(SlotState::kDone);
   }
-  if (now() <= deadline_) return;
+  if (!is_overdue) return;
   only_after_fault();
   ++counters_.overdue;
   count_fault(Module::rs485, kNoReply);

@@ -73,9 +73,13 @@ void SpiBus::finish(SlotState result) {
 void SpiBus::supervise() {
   const MarkedWork<Work::supervise_spi> marked;
   const std::uint32_t unit = unit_.load();
+  const std::uint16_t moved = port_->moved();
   const Time deadline = deadline_;
+  const Time at = now();
   Shared<std::uint32_t>::fence();
-  if (unit % 2 == 0 || unit_.load() != unit || now() <= deadline) return;
+  if (unit % 2 == 0 || unit_.load() != unit || port_->moved() != moved) return;
+  const Duration still = standstill_.lasts(unit << 16U | moved, at);
+  if (at <= deadline || still <= 2 * byte_time_) return;
   overdue_.store(unit);
   port_->pend();
 }

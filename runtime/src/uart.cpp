@@ -77,9 +77,7 @@ bool Uart::quiet() {
 std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
   count_line_errors();
   if (port_->receive_halted()) {
-    count_fault(Module::uart, kReceiveHalted);
-    ++counters_.recoveries;
-    port_->restart_receive();
+    restart();
   }
 
   const Time at = now();
@@ -111,22 +109,36 @@ std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
   return size;
 }
 
-// Every byte takes its time on the wire, so the last of some came that much later than the line was seen without them.
-// The line may have fallen silent again since take() looked, behind bytes that are not read yet.
+/// What came before is lost. Of what comes from here on is known that it was not there yet.
+void Uart::restart() {
+  count_fault(Module::uart, kReceiveHalted);
+  ++counters_.recoveries;
+  counters_.lost += port_->received() - read_;
+  const Time at = now();
+  read_ = port_->restart_receive();
+  seen_ = before_ = {read_, at};
+}
+
+// Every byte takes its time on the wire, so the last of some came that much later than the line was seen without them;
+// and where the line did not fall silent, they came close behind each other. The line may have fallen silent again
+// since take() looked, behind bytes that are not read yet. All are times that are not later: the latest counts.
 Time Uart::arrival(std::size_t behind) const {
   const std::uint32_t position = read_ - static_cast<std::uint32_t>(behind);
   const bool tells_silence = port_->tells_silence_after(position);
   const UartIdle idle = port_->idle();
-  if (idle.received == position) return idle.at - wire_time(1);
-  if (idle_.received == position) return idle_.at - wire_time(1);
-  const Time known = later(earliest(idle_, position), later(earliest(seen_, position), earliest(before_, position)));
-  const bool is_silence_to_come = tells_silence && static_cast<std::int32_t>(idle_.received - position) < 0;
-  return is_silence_to_come && seen_.received == position ? later(known, seen_.at - longest_silence()) : known;
+  Time known = later(earliest(idle_, position), later(earliest(seen_, position), earliest(before_, position)));
+  if (idle.received == position) return later(known, idle.at - wire_time(1));
+  if (idle_.received == position) return later(known, idle_.at - wire_time(1));
+  const std::uint32_t more = seen_.received - position;
+  const bool is_unbroken =
+      tells_silence && more <= ring_.size && static_cast<std::int32_t>(idle_.received - position) < 0;
+  return is_unbroken ? later(known, seen_.at - longest_unseen(more)) : known;
 }
 
-/// That a line has kept at most where no event has told of it: a byte's time, of the clock that is off the most.
-Duration Uart::longest_silence() const {
-  const Duration nominal = wire_time(1);
+/// How long ago a byte came at most, behind which so many have, and no event has told of silence: the next one begins
+/// within a byte's time, and is counted when it ends. By the clock that is off the most.
+Duration Uart::longest_unseen(std::uint32_t behind) const {
+  const Duration nominal = wire_time(2 * (behind + 1));
   return nominal + (nominal * kClockDeviation >> kDeviationScale) + kEventSlack;
 }
 
@@ -146,8 +158,9 @@ void Uart::lose(std::uint32_t bytes) {
 
 bool Uart::write(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0 || size > capacity()) return false;
+  const Time at = now();  // before the look: where this is preempted for long, what ends meanwhile is not overdue
   if (port_->transmitting()) {
-    if (now() <= send_deadline_) return false;
+    if (at <= send_deadline_) return false;
     count_fault(Module::uart, kSendOverdue);
     ++counters_.overdue;
     ++counters_.errors;

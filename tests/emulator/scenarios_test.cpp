@@ -189,6 +189,10 @@ TEST_CASE("whatever fails at the arm's receiver, buses and motors, its joints ha
   run("six_joint_arm", "arm_faults", "6s", 36);
 }
 
+TEST_CASE("what a dead computer sent before is not obeyed again when the reception of its line is restarted") {
+  run(source_path("tests/emulator/robots/remote.urdf"), "remote_faults", "3s", 2);
+}
+
 TEST_CASE("a chassis of the user's own moves on wheels whose motors are in composites") {
   const auto document =
       finemote_json({"run", source_path("tests/emulator/composite_wheels/robot.urdf"), "--scenario",

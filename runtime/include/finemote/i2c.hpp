@@ -8,6 +8,7 @@
 #include "finemote/ports.hpp"
 #include "finemote/single_core.hpp"
 #include "finemote/slot_state.hpp"
+#include "finemote/standstill.hpp"
 #include "finemote/time.hpp"
 
 namespace finemote {
@@ -148,6 +149,7 @@ class I2cBus {
   void go_on();
   Time finish_unit(SlotState result);
   void enter_recovery();
+  void look_at_unit();
   void carry_recovery_on();
 
   I2cPort* const port_;
@@ -169,6 +171,7 @@ class I2cBus {
   std::int32_t unit_bytes_ = 0;       ///< that it takes at most
   Shared<std::uint32_t> unit_{0};     ///< begins and ends of units: odd while one is on the wire
   Shared<std::uint32_t> overdue_{0};  ///< the unit supervise() wants ended
+  Standstill standstill_;
   Shared<Mode> mode_{Mode::kOff};
   std::uint8_t recovery_step_ = 0;  ///< only supervise() writes it
   std::uint8_t retry_wait_ = 0;     ///< calls of supervise() until a stuck bus is tried again

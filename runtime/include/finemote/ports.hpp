@@ -117,9 +117,9 @@ class UartPort {
 
   /// True after a DMA error stopped reception; received() stands still. Context: bucket.
   [[nodiscard]] bool receive_halted() const;
-  /// Restarts reception. received() keeps counting from a multiple of the ring size that is >= its last value, so that
-  /// no old byte is read as new. Context: bucket.
-  void restart_receive();
+  /// Restarts reception and returns the number of the byte that comes next: received() keeps counting from a multiple
+  /// of the ring size that is >= its last value. The last silence is forgotten. Context: bucket.
+  std::uint32_t restart_receive();
 
   /// Where transmit() takes its bytes from; in memory the DMA reaches. Write it only while !transmitting(). Context:
   /// bucket.
@@ -172,6 +172,9 @@ class I2cPort {
   /// Makes the bus's interrupt run `bus.on_interrupt(I2cEvent::kNone)` soon (sets its line pending in the NVIC, PM0214
   /// 4.3.4). Never blocks. Context: any.
   void pend();
+
+  /// Grows with each step of an exchange that its interrupts take; modulo 2^32. Context: bucket.
+  [[nodiscard]] std::uint32_t steps() const;
 
   /// Begins an exchange and returns; its end arrives as an event in a later interrupt, never from inside this call.
   /// Only called while no exchange is under way. `message` is copied; a board that must wait for the STOP of the
@@ -228,6 +231,8 @@ class SpiPort {
   void configure(std::int64_t clock_hz, SpiBus& bus);
   /// As I2cPort::pend(). Context: any.
   void pend();
+  /// Of the last exchange, the bytes that its interrupts have moved; 0 where the DMA does. Context: bucket.
+  [[nodiscard]] std::uint16_t moved() const;
   /// As I2cPort::begin(). Context: interrupt.
   void begin(const SpiMessage& message);
   /// As I2cPort::abort(); every chip select is high afterwards. Context: interrupt.

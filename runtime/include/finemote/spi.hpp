@@ -8,6 +8,7 @@
 #include "finemote/ports.hpp"
 #include "finemote/single_core.hpp"
 #include "finemote/slot_state.hpp"
+#include "finemote/standstill.hpp"
 #include "finemote/time.hpp"
 
 namespace finemote {
@@ -92,6 +93,7 @@ class SpiBus {
   Time deadline_ = 0;
   Shared<std::uint32_t> unit_{0};  ///< as I2cBus
   Shared<std::uint32_t> overdue_{0};
+  Standstill standstill_;
   BusCounters counters_;
 };
 

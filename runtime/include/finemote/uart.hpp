@@ -98,10 +98,11 @@ class Uart {
  private:
   static constexpr std::uint16_t kFirst = UINT16_MAX;
 
-  [[nodiscard]] Duration longest_silence() const;
+  [[nodiscard]] Duration longest_unseen(std::uint32_t behind) const;
   [[nodiscard]] Time earliest(const UartIdle& point, std::uint32_t position) const;
   std::size_t take(std::uint8_t* out, std::size_t capacity);
   void count_line_errors();
+  void restart();
   void lose(std::uint32_t bytes);
 
   UartPort* const port_;

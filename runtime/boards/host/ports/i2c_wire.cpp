@@ -79,6 +79,8 @@ void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
   pend();
 }
 
+std::uint32_t I2cPort::steps() const { return 0; }
+
 void I2cPort::pend() {
   if (hardware_->when_pended) hardware_->when_pended();
   host::interrupt_at(now(), [wire = hardware_] { interrupt(*wire, I2cEvent::kNone); });

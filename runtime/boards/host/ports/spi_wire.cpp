@@ -24,6 +24,8 @@ void SpiPort::configure(std::int64_t clock_hz, SpiBus& bus) {
   hardware_->bus = &bus;
 }
 
+std::uint16_t SpiPort::moved() const { return 0; }
+
 void SpiPort::pend() {
   host::interrupt_at(now(), [wire = hardware_] { wire->bus->on_interrupt(SpiEvent::kNone); });
 }

@@ -93,12 +93,13 @@ UartErrors UartPort::errors() const { return hardware_->errors; }
 
 bool UartPort::receive_halted() const { return hardware_->halted; }
 
-void UartPort::restart_receive() {
+std::uint32_t UartPort::restart_receive() {
   UartHardware& line = *hardware_;
   line.catch_up();
   line.halted = false;
   line.received = (line.received + line.ring.size - 1) / line.ring.size * line.ring.size;
-  line.idle.received = line.received;
+  line.idle = {line.received, kLongAgo};
+  return line.received;
 }
 
 std::uint8_t* UartPort::transmit_buffer() { return hardware_->buffer; }

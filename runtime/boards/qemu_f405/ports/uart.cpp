@@ -12,7 +12,7 @@ UartSeen UartPort::seen() const { return {}; }
 bool UartPort::tells_silence_after(std::uint32_t) const { return false; }
 UartErrors UartPort::errors() const { return {}; }
 bool UartPort::receive_halted() const { return false; }
-void UartPort::restart_receive() {}
+std::uint32_t UartPort::restart_receive() { return 0; }
 std::uint8_t* UartPort::transmit_buffer() { return hardware_->out; }
 std::size_t UartPort::transmit_capacity() const { return UartHardware::kTransmit; }
 bool UartPort::transmitting() const { return false; }

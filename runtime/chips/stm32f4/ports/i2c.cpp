@@ -104,6 +104,8 @@ void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
 
 void I2cPort::pend() { stm32f4::pend_line(hardware_->setup.event_line); }
 
+std::uint32_t I2cPort::steps() const { return hardware_->steps.load(); }
+
 void I2cPort::begin(const I2cMessage& message) {
   hardware_->message = message;
   hardware_->moved = 0;
@@ -181,10 +183,14 @@ I2cEvent I2cHardware::finish(I2cEvent event) {
   return event;
 }
 
-void I2cHardware::send_address() { setup.i2c.dr().write(std::uint32_t{message.address} << 1 | (reading ? 1 : 0)); }
+void I2cHardware::send_address() {
+  count_step();
+  setup.i2c.dr().write(std::uint32_t{message.address} << 1 | (reading ? 1 : 0));
+}
 
 void I2cHardware::take_byte() {
   only_if_raised_by<Raised::step, Raised::end>();
+  count_step();
   message.read[moved++] = static_cast<std::uint8_t>(setup.i2c.dr().read());
 }
 
@@ -192,6 +198,7 @@ void I2cHardware::take_byte() {
 /// first byte is decided before that read.
 I2cEvent I2cHardware::address_sent() {
   only_if_raised_by<Raised::step, Raised::end>();
+  count_step();
   const stm32f4::I2cRegisters& registers = setup.i2c;
   if (!reading) {
     static_cast<void>(registers.sr2().read());
@@ -225,6 +232,7 @@ I2cEvent I2cHardware::write_on(std::uint32_t status) {
   const stm32f4::I2cRegisters& registers = setup.i2c;
   if ((status & i2c::kByteFinished) == 0) return I2cEvent::kNone;
   only_if_raised_by<Raised::step, Raised::end>();
+  count_step();
   if (moved < message.write_size) {
     registers.dr().write(message.write[moved++]);
     return I2cEvent::kNone;

@@ -25,6 +25,7 @@ struct I2cHardware {
 
   AtStart<I2cBus*> bus{};
   I2cMessage message{};
+  Shared<std::uint32_t> steps{0};
   std::uint16_t moved = 0;  ///< bytes of the present phase
   bool reading = false;     ///< the present phase
   bool active = false;      ///< an exchange is under way
@@ -44,6 +45,7 @@ struct I2cHardware {
  private:
   void hand_on(I2cEvent event);
   I2cEvent finish(I2cEvent event);
+  void count_step() { steps.store(steps.load() + 1); }
   void send_address();
   I2cEvent address_sent();
   I2cEvent write_on(std::uint32_t status);

@@ -101,6 +101,8 @@ void SpiPort::configure(std::int64_t clock_hz, SpiBus& bus) {
 
 void SpiPort::pend() { stm32f4::pend_line(hardware_->setup.line); }
 
+std::uint16_t SpiPort::moved() const { return hardware_->moved; }
+
 void SpiPort::begin(const SpiMessage& message) {
   const SpiSetup& setup = hardware_->setup;
   hardware_->message = message;

@@ -54,8 +54,8 @@ std::uint32_t address_of(const std::uint8_t* bytes) {
 }
 
 /// Receives into the ring for ever: circular mode, RM0090 10.3.8; an interrupt at the end of each lap.
+/// The stream is off.
 void start_receive(const UartSetup& setup, const UartRing& ring) {
-  stop_stream(setup.receive);
   setup.receive.par().write(setup.usart.dr().address());
   setup.receive.m0ar().write(address_of(ring.bytes));
   setup.receive.ndtr().write(ring.size);
@@ -84,6 +84,7 @@ void UartPort::start(std::int64_t baud, UartFormat format, UartRing ring) {
   setup.usart.cr2().write(stop_bits(format));
   setup.usart.cr3().write(kByDma);
   hardware_->ring = ring;
+  stop_stream(setup.receive);
   start_receive(setup, ring);
   setup.usart.cr1().write(usart::kOn | usart::kTransmitterOn | usart::kReceiverOn | word_bits(format));
   cortex_m4::enable_line(setup.usart_line, kPriority);
@@ -170,12 +171,21 @@ UartErrors UartPort::errors() const { return hardware_->errors; }
 
 bool UartPort::receive_halted() const { return hardware_->halted.load(); }
 
-void UartPort::restart_receive() {
-  const std::uint32_t last = received();
-  stop_stream(hardware_->setup.receive);
-  hardware_->laps.store((last + hardware_->ring.size - 1) / hardware_->ring.size);
+// An event in between counts the bytes as they will be: at the begin of the ring there is no lap less than before.
+std::uint32_t UartPort::restart_receive() {
+  const UartSetup& setup = hardware_->setup;
+  const UartRing& ring = hardware_->ring;
+  stop_stream(setup.receive);
+  const std::uint32_t next = (received() + ring.size - 1) & ~(ring.size - 1);
+  setup.receive.ndtr().write(ring.size);
+  hardware_->laps.store(next / ring.size);
   hardware_->halted.store(false);
-  start_receive(hardware_->setup, hardware_->ring);
+  {
+    const cortex_m4::Masked masked;
+    hardware_->idle = UartIdle{next, kLongAgo};
+  }
+  start_receive(setup, ring);
+  return next;
 }
 
 void UartPort::drive_with(std::uint8_t pin, bool active_low) {
