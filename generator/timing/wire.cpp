@@ -28,22 +28,25 @@ Duration dated_early(const Model& model, BusPlace place) {
   return ceil_div(seconds(1), bus.baud_bps) + routine + model.costs.interrupt;
 }
 
-/// On a line of two: the firmware dates a frame by the silence behind it. Where there may be none, as another frame
-/// follows at once, all bytes that came together are dated as if as much silence lay between them: for each twice its
-/// time. They are part of what the device receives.
-Duration dated_without_silence(const Model& model, const Device& device) {
-  constexpr std::int64_t kLongestByteBits = 12;
-  Duration all;
+/// On a line of two: the firmware dates a frame by the silence behind it, and as if the sender's bits were as long as
+/// can be, 1 in 22 (RM0090 30.3.5). Where there may be no silence, as another frame follows at once, all bytes that
+/// came together are dated as if as much silence lay between them: for each twice its time. They are part of what the
+/// device receives.
+Duration dated_early_on_line(const Model& model, const Device& device) {
+  constexpr std::int64_t kLongestByteBits = 12, kMostDeviation = 22;
+  Duration all, longest;
   std::int64_t kinds = 0;
   bool has_gap = true;
   for (const Transfer& transfer : device.transfers) {
     if (!transfer.receive) continue;
     const Duration least = 2 * ceil_div(kLongestByteBits * seconds(1), model.buses[transfer.bus].baud_bps);
     all += transfer.wire;
+    longest = std::max(longest, transfer.wire);
     has_gap = has_gap && transfer.min_interval - transfer.wire > least;
     ++kinds;
   }
-  return kinds == 1 && has_gap ? Duration::zero() : 2 * all;
+  const Duration slow = nanoseconds(ceil_div(longest.ns(), kMostDeviation));
+  return kinds == 1 && has_gap ? slow : slow + 2 * all;
 }
 
 /// Whether this transfer can bring a sample: one that reads. Where none is known to, as of a model in a file, any that
@@ -207,7 +210,7 @@ std::optional<Duration> WireAnalysis::streamed(Rank from) const {
     wire = std::max(wire, *bound + dated_early(model_, device.transfers[t].bus));
   }
   const Acquisition& a = *device.acquisition;
-  return a.fixed + a.interval + wire + dated_without_silence(model_, device) + profile_.set.blocking;
+  return a.fixed + a.interval + wire + dated_early_on_line(model_, device) + profile_.set.blocking;
 }
 
 /// After the release of its job, at the latest: with its stage, or, where the part answers a frame that several devices

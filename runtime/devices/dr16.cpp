@@ -47,7 +47,7 @@ void Dr16::end_message(std::size_t end, std::size_t behind, bool has_size) {
   RemoteState decoded;
   const bool whole = has_size && errors == line_errors_;
   if (whole && decode(recent_.room() + end - kFrame, decoded)) {
-    decoded.origin = uart_->arrival(behind) - uart_->wire_time(kFrame);
+    decoded.origin = uart_->began(behind, kFrame);
     decoded.valid = true;
     state = decoded;
   } else {

@@ -152,7 +152,7 @@ bool H30Imu::take(const std::uint8_t* frame) {
 
 /// @param since  bytes from the begin of the last good frame on
 void H30Imu::stamp(std::size_t since, std::size_t whole) {
-  state.origin = uart_->arrival(since - whole) - uart_->wire_time(whole);
+  state.origin = uart_->began(since - whole, whole);
   state.valid = true;
 }
 

@@ -90,7 +90,7 @@ const std::uint8_t* HostLink::look(std::size_t size) {
   if (found.last == nullptr) return begin + decided;
   const auto arrival_of = [&](const std::uint8_t* frame) {
     const std::size_t whole = link::kHeader + frame[kSizeAt] + link::kCrc;
-    return uart_.arrival(static_cast<std::size_t>(end - frame) - whole) - uart_.wire_time(whole);
+    return uart_.began(static_cast<std::size_t>(end - frame) - whole, whole);
   };
   for (std::uint8_t block = 0; block < layout_.down_blocks; ++block) {
     const std::uint8_t* const frame = found.latest[block];

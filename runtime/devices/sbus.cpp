@@ -30,12 +30,20 @@ void Sbus::update() {
   const std::uint32_t before = gaps();
   uart_->read_all(recent_.room(), Uart::kChunk, [&](std::size_t size) {
     if (gaps() != before) recent_.drop();  // what is kept lies before the gap
-    look(size);
+    if (!is_damaged()) return look(size);
+    ++bad_frames_;
+    recent_.drop();
   });
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
 }
 
 std::uint32_t Sbus::gaps() const { return uart_->counters().lost + uart_->counters().recoveries; }
+
+bool Sbus::is_damaged() {
+  const std::uint32_t before = line_errors_;
+  line_errors_ = uart_->counters().errors;
+  return line_errors_ != before;
+}
 
 // A whole frame waits for the silence behind it, which tells when it came, or for the first byte of the next one.
 void Sbus::look(std::size_t size) {
@@ -79,7 +87,7 @@ void Sbus::decode(const std::uint8_t* frame, std::size_t behind) {
   state.left_switch = switch_of(channel(5));
   state.right_switch = switch_of(channel(6));
   state.wheel = scaled(channel(7));
-  state.origin = uart_->arrival(behind) - uart_->wire_time(kFrame);
+  state.origin = uart_->began(behind, kFrame);
   state.valid = true;
 }
 

@@ -1,5 +1,7 @@
 #include "finemote/pca9685.hpp"
 #include "finemote/mark.hpp"
+#include "finemote/only_after_fault.hpp"
+#include "start.hpp"
 
 namespace finemote {
 
@@ -38,12 +40,11 @@ std::uint16_t Pca9685::counts(std::uint32_t pulse) const {
 void Pca9685::flush() {
   const MarkedWork<Work::flush_expander> marked;
   if (busy_.exchange(true)) {
-    // We preempt a flush: it takes our changes along, or the next one does. One that never goes on was cut off by a
-    // stop of the robot, and the safe outputs must not wait for it.
-    const std::uint8_t refused = refused_.load();
-    if (refused < kAbandonedAfter) return refused_.store(static_cast<std::uint8_t>(refused + 1));
+    // We preempt a flush: it takes our changes along, or the next one does. Once the robot has stopped none goes on,
+    // and the safe outputs must not wait for one that was cut off.
+    if (!detail::has_stopped()) return;
+    only_after_fault();
   }
-  refused_.store(0);
   work();
   busy_.store(false);
 }

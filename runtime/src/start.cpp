@@ -2,12 +2,14 @@
 
 #include "finemote/board.hpp"
 #include "finemote/fault.hpp"
+#include "finemote/single_core.hpp"
 #include "release.hpp"
 
 namespace finemote::detail {
 namespace {
 
 bool started = false;
+Shared<bool> stopped{false};
 
 [[noreturn]] void refuse(ScheduleFault fault, const char* text) {
   stop_safely(Module::schedule, static_cast<std::uint8_t>(fault), text);
@@ -68,5 +70,9 @@ void start_robot(const Schedule& schedule, const ReleaseTimer& timer) {
 }
 
 bool outputs_started() { return started; }
+
+void set_stopped(bool is_stopped) { stopped.store(is_stopped); }
+
+bool has_stopped() { return stopped.load(); }
 
 }  // namespace finemote::detail

@@ -21,4 +21,8 @@ void start_robot(const Schedule& schedule, const ReleaseTimer& timer);
 /// True once the outputs may be driven: start_robot() has come to its end.
 bool outputs_started();
 
+/// Of stop_safely(): no bucket runs any more, and none that was preempted goes on. Context: any.
+void set_stopped(bool is_stopped);
+[[nodiscard]] bool has_stopped();
+
 }  // namespace finemote::detail

@@ -75,13 +75,11 @@ bool Uart::quiet() {
 }
 
 std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
-  count_line_errors();
-  if (port_->receive_halted()) {
-    restart();
-  }
+  if (port_->receive_halted()) restart();
 
   const Time at = now();
   const UartSeen seen = port_->seen();
+  count_line_errors();  // not before: what is seen may have come since
   idle_ = seen.idle;
   std::uint32_t available = seen.received - read_;
   if (left_ == kFirst && available > limits_.bytes) {  // since long ago: what came last is enough to begin with
@@ -135,12 +133,14 @@ Time Uart::arrival(std::size_t behind) const {
   return is_unbroken ? later(known, seen_.at - longest_unseen(more)) : known;
 }
 
+Time Uart::began(std::size_t behind, std::size_t bytes) const { return arrival(behind) - longest(wire_time(bytes)); }
+
+/// What takes the clock that is off the most so long, by its own.
+Duration Uart::longest(Duration nominal) { return nominal + (nominal * kClockDeviation >> kDeviationScale) + 1; }
+
 /// How long ago a byte came at most, behind which so many have, and no event has told of silence: the next one begins
 /// within a byte's time, and is counted when it ends. By the clock that is off the most.
-Duration Uart::longest_unseen(std::uint32_t behind) const {
-  const Duration nominal = wire_time(2 * (behind + 1));
-  return nominal + (nominal * kClockDeviation >> kDeviationScale) + kEventSlack;
-}
+Duration Uart::longest_unseen(std::uint32_t behind) const { return longest(wire_time(2 * (behind + 1))) + kEventSlack; }
 
 /// When the byte that ends at `position` can have arrived at the earliest, if the line had not brought it at `point`.
 Time Uart::earliest(const UartIdle& point, std::uint32_t position) const {

@@ -5,6 +5,7 @@
 #include "finemote/bench/bench.hpp"
 #include "finemote/devices/pwm_esc.hpp"
 #include "runtime/boards/host/ports/i2c_parts.hpp"
+#include "runtime/src/start.hpp"
 
 namespace {
 
@@ -233,9 +234,15 @@ TEST_CASE_METHOD(Fixture, "a flush cut off by a stop of the robot does not keep 
   bus.on_interrupt(I2cEvent::kNone);  // what was asked for goes out
   pass(5 * kMillisecond);
   safe({0});
-  for (int i = 0; i < 20; ++i) {
-    pwm.flush();
-    pass(2 * kMillisecond);
-  }
+  const auto flush = [&] {
+    for (int i = 0; i < 100; ++i) {
+      pwm.flush();
+      pass(2 * kMillisecond);
+    }
+  };
+  flush();
+  CHECK(part.pulse(0) == 389 * 4880);  // it may go on, however often it is preempted
+  detail::set_stopped(true);
+  flush();
   CHECK(part.pulse(0) == 307 * 4880);
 }

@@ -166,6 +166,7 @@ void stop_safely(Module module, std::uint8_t number, const char* text) {
   count_fault(module, number);
   m.stop_text = text != nullptr ? text : "stopped";
   m.next_release = kNever;
+  detail::set_stopped(true);
   if (detail::outputs_started()) finemote_schedule.safe_outputs();
   throw Stopped{};
 }
@@ -202,7 +203,10 @@ const std::vector<Event>& events() { return machine().events; }
 bool watchdog_fed() { return machine().fed; }
 const std::string& stop_text() { return machine().stop_text; }
 
-void reset() { machine() = Machine{}; }
+void reset() {
+  machine() = Machine{};
+  detail::set_stopped(false);
+}
 
 void print_run() {
   for (const Event& event : events()) {

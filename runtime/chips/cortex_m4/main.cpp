@@ -38,6 +38,7 @@ void settle(const Schedule& schedule) {
 void stop_safely(Module module, std::uint8_t number, const char* text) {
   cortex_m4::mask_from(cortex_m4::kReleasePriority);
   count_fault(module, number);
+  detail::set_stopped(true);
   if (detail::outputs_started()) finemote_schedule.safe_outputs();
   board::say(text);
   board::say(FINEMOTE_TEXT("\n"));

@@ -70,7 +70,6 @@ class Pca9685 : public PwmOutput {
     kRun
   };
   static constexpr std::size_t kImage = 1 + 4 * kChannels;
-  static constexpr std::uint8_t kAbandonedAfter = 16;  ///< no bucket preempts another's flush so often
 
   void work();
   void take_result();
@@ -97,7 +96,6 @@ class Pca9685 : public PwmOutput {
   Time awake_ = 0;
   Shared<std::uint32_t> used_{0};    ///< channels that were ever sent
   Shared<bool> busy_{false};         ///< a flush is being worked on
-  Shared<std::uint8_t> refused_{0};  ///< calls in a row that found one
   std::uint8_t safe_size_ = 0;
   std::uint8_t burst_[kImage]{};
   std::uint8_t safe_image_[kImage]{};

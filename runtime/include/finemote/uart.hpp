@@ -89,6 +89,10 @@ class Uart {
   /// bytes since. Context: the device's bucket.
   [[nodiscard]] Time arrival(std::size_t behind = 0) const;
 
+  /// A time not later than when the first of `bytes` bytes began, whose last is the one of arrival(): the sender's bits
+  /// are taken to be as long as they can be where they are understood. Context: the device's bucket.
+  [[nodiscard]] Time began(std::size_t behind, std::size_t bytes) const;
+
   /// Wire time of `bytes` bytes (start, 8 data, parity, stop bits), rounded up. Context: any.
   [[nodiscard]] Duration wire_time(std::size_t bytes) const;
 
@@ -98,6 +102,7 @@ class Uart {
  private:
   static constexpr std::uint16_t kFirst = UINT16_MAX;
 
+  [[nodiscard]] static Duration longest(Duration nominal);
   [[nodiscard]] Duration longest_unseen(std::uint32_t behind) const;
   [[nodiscard]] Time earliest(const UartIdle& point, std::uint32_t position) const;
   std::size_t take(std::uint8_t* out, std::size_t capacity);

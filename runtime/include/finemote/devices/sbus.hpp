@@ -13,9 +13,10 @@ namespace finemote {
 
 /// 25 bytes every 7 or 14 ms, 100 kbit/s 8E2 inverted: 0x0F, sixteen channels of 11 bits, flags, and 0x00 or, of
 /// receivers with slots for telemetry (S.BUS2), 0x04, 0x14, 0x24, 0x34 in turn. A frame counts if both ends are right
-/// and the receiver reports neither a lost frame nor failsafe. Channels 1..4 are the right stick (x, y) and the left
-/// stick (y, x) as most transmitters order them (AETR), 5 and 6 the left and right switch, 7 the wheel. The state is
-/// valid until kMaxAge after the last frame; its origin is when the frame began to arrive.
+/// and the receiver reports neither a lost frame nor failsafe; none does that was read together with a damaged byte.
+/// Channels 1..4 are the right stick (x, y) and the left stick (y, x) as most transmitters order them (AETR), 5 and 6
+/// the left and right switch, 7 the wheel. The state is valid until kMaxAge after the last frame; its origin is when
+/// the frame began to arrive.
 class Sbus {
  public:
   static constexpr Duration kMaxAge = 100 * kMillisecond;
@@ -46,6 +47,8 @@ class Sbus {
   static constexpr std::uint8_t kFrameLost = 0x04, kFailsafe = 0x08;
 
   [[nodiscard]] std::uint8_t flags() const { return last_[kFlagsAt]; }
+  /// Of what was read, and what is kept.
+  [[nodiscard]] bool is_damaged();
   /// Looks for frames in what is kept and `size` bytes more.
   void look(std::size_t size);
   /// @param behind  bytes that arrived together behind the frame
@@ -57,6 +60,7 @@ class Sbus {
   RecentBytes<kFrame> recent_;
   std::uint8_t last_[kFlagsAt + 1]{};  ///< begin of the last whole frame
   std::uint32_t frames_ = 0, bad_frames_ = 0;
+  std::uint32_t line_errors_ = 0;  ///< that the line had when it was read last
 };
 
 }  // namespace finemote
