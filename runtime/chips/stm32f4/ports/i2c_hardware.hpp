@@ -5,6 +5,7 @@
 
 #include "finemote/at_start.hpp"
 #include "finemote/ports.hpp"
+#include "finemote/single_core.hpp"
 #include "runtime/chips/stm32f4/peripherals.hpp"
 #include "runtime/chips/stm32f4/pin.hpp"
 
