@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 252573, finemote::kNothingToBound, nullptr},  // imu
-    {1, 569539, finemote::kNothingToBound, nullptr},  // depth
-    {1, 566839, finemote::kNothingToBound, nullptr},  // button
-    {1, 564139, 24074153, &station::servo.command},  // servo
-    {1, 559270, 24069417, &station::green_led.command},  // green_led
-    {1, 553164, 24063245, &station::blue_led.command},  // blue_led
-    {1, 547118, finemote::kNothingToBound, nullptr},  // station
+    {0, 254370, finemote::kNothingToBound, nullptr},  // imu
+    {1, 550368, finemote::kNothingToBound, nullptr},  // depth
+    {1, 547668, finemote::kNothingToBound, nullptr},  // button
+    {1, 544968, 24121338, &station::servo.command},  // servo
+    {1, 540100, 24116602, &station::green_led.command},  // green_led
+    {1, 534125, 24110496, &station::blue_led.command},  // blue_led
+    {1, 527947, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

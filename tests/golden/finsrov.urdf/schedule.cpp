@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 370658, finemote::kNothingToBound, nullptr},  // imu
-    {1, 932954, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 930254, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 927554, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 922447, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 919746, 31215346, &rov::thruster_1.command},  // thruster_1
-    {1, 915188, 31210788, &rov::thruster_2.command},  // thruster_2
-    {1, 910564, 31206158, &rov::thruster_3.command},  // thruster_3
-    {1, 906006, 31199264, &rov::thruster_4.command},  // thruster_4
-    {1, 899034, 31194634, &rov::thruster_5.command},  // thruster_5
-    {1, 894482, 31190082, &rov::thruster_6.command},  // thruster_6
-    {1, 889858, 31185457, &rov::thruster_7.command},  // thruster_7
-    {1, 885300, 31178558, &rov::thruster_8.command},  // thruster_8
-    {1, 880676, finemote::kNothingToBound, nullptr},  // rov
+    {0, 374814, finemote::kNothingToBound, nullptr},  // imu
+    {1, 941070, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 938369, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 935669, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 932903, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 930203, 31233397, &rov::thruster_1.command},  // thruster_1
+    {1, 925645, 31223426, &rov::thruster_2.command},  // thruster_2
+    {1, 918548, 31218808, &rov::thruster_3.command},  // thruster_3
+    {1, 913990, 31214250, &rov::thruster_4.command},  // thruster_4
+    {1, 909360, 31207147, &rov::thruster_5.command},  // thruster_5
+    {1, 904808, 31202595, &rov::thruster_6.command},  // thruster_6
+    {1, 897711, 31197971, &rov::thruster_7.command},  // thruster_7
+    {1, 893153, 31193413, &rov::thruster_8.command},  // thruster_8
+    {1, 888529, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

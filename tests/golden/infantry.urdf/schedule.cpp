@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 193756, finemote::kNothingToBound, nullptr},  // imu
-    {0, 187704, 28451957, &gimbal::yaw.command},  // yaw
-    {0, 181009, 28445262, &gimbal::pitch.command},  // pitch
-    {1, 234073, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 304546, 26568699, &chassis::front_left.command},  // front_left
-    {2, 298106, 26562259, &chassis::front_right.command},  // front_right
-    {2, 291595, 26555748, &chassis::rear_left.command},  // rear_left
-    {2, 285156, 26549309, &chassis::rear_right.command},  // rear_right
-    {2, 278710, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 385641, finemote::kNothingToBound, nullptr},  // remote
+    {0, 194323, finemote::kNothingToBound, nullptr},  // imu
+    {0, 188271, 28543442, &gimbal::yaw.command},  // yaw
+    {0, 181576, 28536747, &gimbal::pitch.command},  // pitch
+    {1, 234640, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 305113, 26660184, &chassis::front_left.command},  // front_left
+    {2, 298673, 26653744, &chassis::front_right.command},  // front_right
+    {2, 292162, 26647233, &chassis::rear_left.command},  // rear_left
+    {2, 285723, 26640794, &chassis::rear_right.command},  // rear_right
+    {2, 279277, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 386048, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

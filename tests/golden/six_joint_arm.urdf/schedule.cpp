@@ -73,13 +73,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 357139, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 254622, 28934302, &arm::base.command},  // base
-    {0, 248183, 28927863, &arm::shoulder.command},  // shoulder
-    {0, 241738, 28921418, &arm::elbow.command},  // elbow
-    {0, 235298, 28914978, &arm::wrist_roll.command},  // wrist_roll
-    {0, 211478, 28891158, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 205039, 28884719, &arm::flange.command},  // flange
+    {1, 357294, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 254622, 29074898, &arm::base.command},  // base
+    {0, 248183, 29068459, &arm::shoulder.command},  // shoulder
+    {0, 241738, 29062014, &arm::elbow.command},  // elbow
+    {0, 235298, 29055574, &arm::wrist_roll.command},  // wrist_roll
+    {0, 211478, 29031754, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 205039, 29025315, &arm::flange.command},  // flange
     {0, 192972, finemote::kNothingToBound, nullptr},  // arm
 };
 

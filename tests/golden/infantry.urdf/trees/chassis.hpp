@@ -18,19 +18,19 @@
 namespace infantry::chassis {
 
 /// front_left: dji_m3508 on 'wheel_can' id 1, every 5 ms
-/// response <= 264.878 us; data age <= 26.53 ms when handle() ends, <= 26.931 ms at the output (oldest: remote)
+/// response <= 265.445 us; data age <= 26.621 ms when handle() ends, <= 27.023 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{finemote::DjiM3508::Config{}, slots::front_left};
 
 /// front_right: dji_m3508 on 'wheel_can' id 2, every 5 ms
-/// response <= 261.139 us; data age <= 26.526 ms when handle() ends, <= 26.931 ms at the output (oldest: remote)
+/// response <= 261.706 us; data age <= 26.617 ms when handle() ends, <= 27.023 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{finemote::DjiM3508::Config{}, slots::front_right};
 
 /// rear_left: dji_m3508 on 'wheel_can' id 3, every 5 ms
-/// response <= 257.393 us; data age <= 26.522 ms when handle() ends, <= 26.931 ms at the output (oldest: remote)
+/// response <= 257.96 us; data age <= 26.614 ms when handle() ends, <= 27.023 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{finemote::DjiM3508::Config{}, slots::rear_left};
 
 /// rear_right: dji_m3508 on 'wheel_can' id 4, every 5 ms
-/// response <= 253.654 us; data age <= 26.518 ms when handle() ends, <= 26.931 ms at the output (oldest: remote)
+/// response <= 254.221 us; data age <= 26.61 ms when handle() ends, <= 27.023 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{finemote::DjiM3508::Config{}, slots::rear_right};
 
 namespace ports {  // what 'chassis' sees of others
@@ -46,7 +46,7 @@ inline constexpr finemote::Port<finemote::Motor> chassis_wheels[] = {
 }  // namespace ports
 
 /// chassis: mecanum_chassis, every 5 ms
-/// response <= 249.909 us
+/// response <= 250.476 us
 FINEMOTE_CONSTINIT inline finemote::MecanumChassis chassis{
     [] { finemote::MecanumChassis::Config c{}; c.kp = 0.8f; c.ki = 1.0f; return c; }(),
     constants::chassis_rolling,
