@@ -141,10 +141,13 @@ struct ModelReader::Tables {
       {"undeclared", Need::target, Each<Device>{&ModelReader::read_undeclared}},
   };
   static constexpr Field<Acquisition> kAcquisition[] = {
-      {"fixed_ns", Need::target, &Acquisition::fixed},           {"interval_ns", Need::target, &Acquisition::interval},
-      {"periods", Need::target, &Acquisition::periods},          {"every", Need::target, &Acquisition::every, 1},
+      {"fixed_ns", Need::target, &Acquisition::fixed},
+      {"interval_ns", Need::target, &Acquisition::interval},
+      {"periods", Need::target, &Acquisition::periods},
+      {"every", Need::target, &Acquisition::every, 1},
       {"begun_every", Need::target, &Acquisition::begun_every, 1},
-      {"conversion_ns", Need::target, &Acquisition::conversion}, {"assumed", Need::target, &Acquisition::assumed},
+      {"conversion_ns", Need::target, &Acquisition::conversion},
+      {"assumed", Need::target, &Acquisition::assumed},
   };
   static constexpr Field<Transfer> kTransfer[] = {
       {"bus", Need::required, Whole<Transfer>{&ModelReader::read_transfer_bus}},

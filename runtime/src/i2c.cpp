@@ -244,15 +244,14 @@ void I2cBus::supervise() {
   }
 }
 
-/// A unit is overdue that stands still behind its deadline. A step is less than three bytes long on the wire.
+/// A unit is overdue that stands still behind its deadline: one that goes on may have been kept waiting by interrupts.
 void I2cBus::look_at_unit() {
-  const std::uint32_t unit = unit_.load(), steps = port_->steps();
+  const std::uint32_t unit = unit_.load();
   const Time deadline = begun_ + 2 * unit_bytes_ * Duration{byte_time_} + kDeadlineSlack;
-  const Time at = now();
+  Shared<std::uint32_t>::fence();
+  if (unit % 2 == 0 || unit_.load() != unit || now() <= deadline) return;
   // An odd number that has not changed: what was read is this unit's, and whole.
-  if (unit % 2 == 0 || unit_.load() != unit || port_->steps() != steps) return;
-  const Duration still = standstill_.lasts(unit + steps, at);
-  if (at <= deadline || still <= 3 * byte_time_) return;
+  if (!port_->stands_still() || unit_.load() != unit) return;
   overdue_.store(unit);
   port_->pend();
 }

@@ -180,7 +180,7 @@ TEST_CASE_METHOD(Fixture, "an overdue transfer is ended, the bus recovered, and 
   }
   bench::run(60 * kMillisecond);
   REQUIRE(recovered);
-  CHECK(*recovered <= 31 * kMillisecond);
+  CHECK(*recovered <= 30 * kMillisecond);
   CHECK(host::i2c2.recovery_clocks == 9);
   CHECK(bus.counters().overdue == 1);
   CHECK(bus.counters().recoveries == 1);

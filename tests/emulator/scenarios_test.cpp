@@ -190,7 +190,7 @@ TEST_CASE("whatever fails at the arm's receiver, buses and motors, its joints ha
 }
 
 TEST_CASE("what a dead computer sent before is not obeyed again when the reception of its line is restarted") {
-  run(source_path("tests/emulator/robots/remote.urdf"), "remote_faults", "3s", 2);
+  run_file(source_path("tests/emulator/robots/remote.urdf"), "remote_faults", "3s", 2);
 }
 
 TEST_CASE("a chassis of the user's own moves on wheels whose motors are in composites") {

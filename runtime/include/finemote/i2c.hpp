@@ -8,7 +8,6 @@
 #include "finemote/ports.hpp"
 #include "finemote/single_core.hpp"
 #include "finemote/slot_state.hpp"
-#include "finemote/standstill.hpp"
 #include "finemote/time.hpp"
 
 namespace finemote {
@@ -171,7 +170,6 @@ class I2cBus {
   std::int32_t unit_bytes_ = 0;       ///< that it takes at most
   Shared<std::uint32_t> unit_{0};     ///< begins and ends of units: odd while one is on the wire
   Shared<std::uint32_t> overdue_{0};  ///< the unit supervise() wants ended
-  Standstill standstill_;
   Shared<Mode> mode_{Mode::kOff};
   std::uint8_t recovery_step_ = 0;  ///< only supervise() writes it
   std::uint8_t retry_wait_ = 0;     ///< calls of supervise() until a stuck bus is tried again

@@ -94,8 +94,8 @@ class Pca9685 : public PwmOutput {
   std::uint32_t safe_writes_ = 0;  ///< of the slot, as last seen
   std::uint32_t in_burst_ = 0;     ///< channels of the burst under way
   Time awake_ = 0;
-  Shared<std::uint32_t> used_{0};    ///< channels that were ever sent
-  Shared<bool> busy_{false};         ///< a flush is being worked on
+  Shared<std::uint32_t> used_{0};  ///< channels that were ever sent
+  Shared<bool> busy_{false};       ///< a flush is being worked on
   std::uint8_t safe_size_ = 0;
   std::uint8_t burst_[kImage]{};
   std::uint8_t safe_image_[kImage]{};

@@ -1,9 +1,8 @@
 // Names what a board can do on its pins: one class per kind of port, implemented by the linked board.
 //
 // The classes are declared here and defined by the board (`runtime/boards/<board>/`), without virtual functions:
-// exactly one board is linked. The port objects are named in its own header, at the end. A port object holds a
-// reference to a structure only its board knows, so that it is constant initialised and the same generated code
-// compiles for every board.
+// exactly one board is linked. A port object holds a reference to a structure only its board knows, so that it is
+// constant initialised and the same generated code compiles for every board; the board's own header names it.
 //
 // Calling contexts. *init*: before the first release, interrupts off or harmless. *bucket*: any update() or handle().
 // *fastest bucket*: supervise() alone. *interrupt*: the bus's own interrupt priority, which lies above every bucket;
@@ -89,9 +88,9 @@ class UartPort {
   /// Clocks, pins, baud rate [bit/s], receiving DMA into `ring` and its interrupts; no line events. Context: init.
   void start(std::int64_t baud, UartFormat format, UartRing ring);
 
-  /// From now on lets at most `count` line events (idle, damaged byte) interrupt; what was left of the last call is
-  /// forgotten. Those that come when none is left wait: the next call sees an idle line, and one error of each kind. A
-  /// noisy line costs no more processor time than that. Context: init, bucket.
+  /// From now on lets at most `count` line events (idle, damaged byte) interrupt, whatever was left of the last call.
+  /// Those that come when none is left wait: the next call sees an idle line, and one error of each kind. Context:
+  /// init, bucket.
   void allow_events(std::uint32_t count);
 
   /// Gives the line driver a pin: active from transmit() to the last stop bit, inactive otherwise. The pin is an output
@@ -102,14 +101,12 @@ class UartPort {
   /// completed laps and the DMA's position are read so that a lap in between is never missed. Context: any.
   [[nodiscard]] std::uint32_t received() const;
 
-  /// The last idle-line event, both members of one event; of one that had to wait, the time is earlier. Context:
-  /// bucket.
+  /// The last idle-line event; of one that had to wait, the time is earlier. Context: bucket.
   [[nodiscard]] UartIdle idle() const;
-  /// received() and idle() of one instant: nothing came between the two. Context: bucket.
+  /// Both of one instant. Context: bucket.
   [[nodiscard]] UartSeen seen() const;
 
-  /// Whether the line's silence behind the first `received` bytes would be an idle-line event: events interrupt, and
-  /// did before the last of them came. Context: bucket.
+  /// Whether silence behind the first `received` bytes would be an event: they interrupt, and did. Context: bucket.
   [[nodiscard]] bool tells_silence_after(std::uint32_t received) const;
 
   /// What the line has suffered since start. Context: bucket.
@@ -117,8 +114,8 @@ class UartPort {
 
   /// True after a DMA error stopped reception; received() stands still. Context: bucket.
   [[nodiscard]] bool receive_halted() const;
-  /// Restarts reception and returns the number of the byte that comes next: received() keeps counting from a multiple
-  /// of the ring size that is >= its last value. The last silence is forgotten. Context: bucket.
+  /// Restarts reception and returns the number of the byte that comes next: a multiple of the ring size that is not
+  /// below received(). The last silence is forgotten. Context: bucket.
   std::uint32_t restart_receive();
 
   /// Where transmit() takes its bytes from; in memory the DMA reaches. Write it only while !transmitting(). Context:
@@ -173,8 +170,8 @@ class I2cPort {
   /// 4.3.4). Never blocks. Context: any.
   void pend();
 
-  /// Grows with each step of an exchange that its interrupts take; modulo 2^32. Context: bucket.
-  [[nodiscard]] std::uint32_t steps() const;
+  /// Whether the exchange has gone no step on for longer than one can take on the wire. Context: bucket.
+  [[nodiscard]] bool stands_still() const;
 
   /// Begins an exchange and returns; its end arrives as an event in a later interrupt, never from inside this call.
   /// Only called while no exchange is under way. `message` is copied; a board that must wait for the STOP of the

@@ -79,7 +79,7 @@ void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
   pend();
 }
 
-std::uint32_t I2cPort::steps() const { return 0; }
+bool I2cPort::stands_still() const { return true; }
 
 void I2cPort::pend() {
   if (hardware_->when_pended) hardware_->when_pended();

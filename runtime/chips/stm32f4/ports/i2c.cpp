@@ -104,7 +104,14 @@ void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
 
 void I2cPort::pend() { stm32f4::pend_line(hardware_->setup.event_line); }
 
-std::uint32_t I2cPort::steps() const { return hardware_->steps.load(); }
+// Interrupts come before whoever asks: at that instant a step is under way on the wire, or none will be. The longest is
+// three bytes: of a read, two, and what begins it.
+bool I2cPort::stands_still() const {
+  constexpr std::uint32_t kLongestStep = 28;  // of bits, which a STOP is waited for a little more than
+  const std::uint32_t before = hardware_->stepped_at.load();
+  const std::uint32_t since = cortex_m4::cycles() - before;
+  return hardware_->stepped_at.load() == before && since > kLongestStep * hardware_->stop_limit;
+}
 
 void I2cPort::begin(const I2cMessage& message) {
   hardware_->message = message;
@@ -183,14 +190,16 @@ I2cEvent I2cHardware::finish(I2cEvent event) {
   return event;
 }
 
+void I2cHardware::note_step() { stepped_at.store(cortex_m4::cycles()); }
+
 void I2cHardware::send_address() {
-  count_step();
+  note_step();
   setup.i2c.dr().write(std::uint32_t{message.address} << 1 | (reading ? 1 : 0));
 }
 
 void I2cHardware::take_byte() {
   only_if_raised_by<Raised::step, Raised::end>();
-  count_step();
+  note_step();
   message.read[moved++] = static_cast<std::uint8_t>(setup.i2c.dr().read());
 }
 
@@ -198,7 +207,7 @@ void I2cHardware::take_byte() {
 /// first byte is decided before that read.
 I2cEvent I2cHardware::address_sent() {
   only_if_raised_by<Raised::step, Raised::end>();
-  count_step();
+  note_step();
   const stm32f4::I2cRegisters& registers = setup.i2c;
   if (!reading) {
     static_cast<void>(registers.sr2().read());
@@ -232,7 +241,7 @@ I2cEvent I2cHardware::write_on(std::uint32_t status) {
   const stm32f4::I2cRegisters& registers = setup.i2c;
   if ((status & i2c::kByteFinished) == 0) return I2cEvent::kNone;
   only_if_raised_by<Raised::step, Raised::end>();
-  count_step();
+  note_step();
   if (moved < message.write_size) {
     registers.dr().write(message.write[moved++]);
     return I2cEvent::kNone;

@@ -26,7 +26,6 @@ struct I2cHardware {
 
   AtStart<I2cBus*> bus{};
   I2cMessage message{};
-  Shared<std::uint32_t> steps{0};
   std::uint16_t moved = 0;  ///< bytes of the present phase
   bool reading = false;     ///< the present phase
   bool active = false;      ///< an exchange is under way
@@ -34,6 +33,7 @@ struct I2cHardware {
   AtStart<std::uint32_t> clock_hz{};
   AtStart<std::uint32_t> stop_limit{};  ///< of the wait for a STOP, from finished_at on [cycles]
   std::uint32_t finished_at = 0;        ///< end of the last exchange [cycles]
+  Shared<std::uint32_t> stepped_at{0};  ///< the last step of one [cycles]
 
   /// The routines of its lines. Context: interrupt.
   void on_event();
@@ -46,7 +46,7 @@ struct I2cHardware {
  private:
   void hand_on(I2cEvent event);
   I2cEvent finish(I2cEvent event);
-  void count_step() { steps.store(steps.load() + 1); }
+  void note_step();
   void send_address();
   I2cEvent address_sent();
   I2cEvent write_on(std::uint32_t status);
