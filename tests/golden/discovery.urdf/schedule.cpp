@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 254370, finemote::kNothingToBound, nullptr},  // imu
-    {1, 550368, finemote::kNothingToBound, nullptr},  // depth
-    {1, 547668, finemote::kNothingToBound, nullptr},  // button
-    {1, 544968, 24121338, &station::servo.command},  // servo
-    {1, 540100, 24116602, &station::green_led.command},  // green_led
-    {1, 534125, 24110496, &station::blue_led.command},  // blue_led
-    {1, 527947, finemote::kNothingToBound, nullptr},  // station
+    {0, 256659, finemote::kNothingToBound, nullptr},  // imu
+    {1, 552776, finemote::kNothingToBound, nullptr},  // depth
+    {1, 550010, finemote::kNothingToBound, nullptr},  // button
+    {1, 547310, 24123614, &station::servo.command},  // servo
+    {1, 542442, 24118878, &station::green_led.command},  // green_led
+    {1, 536467, 24112772, &station::blue_led.command},  // blue_led
+    {1, 530289, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 248.838 us of its release.
+/// a job ends within 251.193 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 525.72 us of its release.
+/// a job ends within 528.062 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{248838, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{519604, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{519604, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{519604, 24109206, 24194033};
-inline constexpr finemote::Bounds green_led{517568, 24107103, 24202161};
-inline constexpr finemote::Bounds blue_led{514294, 24103829, 24202161};
-inline constexpr finemote::Bounds station{510882, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{251193, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{521947, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{521947, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{521947, 24111482, 24205887};
+inline constexpr finemote::Bounds green_led{519910, 24109446, 24205887};
+inline constexpr finemote::Bounds blue_led{516636, 24106105, 24205820};
+inline constexpr finemote::Bounds station{513356, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 374814, finemote::kNothingToBound, nullptr},  // imu
-    {1, 941070, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 938369, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 935669, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 932903, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 930203, 31233397, &rov::thruster_1.command},  // thruster_1
-    {1, 925645, 31223426, &rov::thruster_2.command},  // thruster_2
-    {1, 918548, 31218808, &rov::thruster_3.command},  // thruster_3
-    {1, 913990, 31214250, &rov::thruster_4.command},  // thruster_4
-    {1, 909360, 31207147, &rov::thruster_5.command},  // thruster_5
-    {1, 904808, 31202595, &rov::thruster_6.command},  // thruster_6
-    {1, 897711, 31197971, &rov::thruster_7.command},  // thruster_7
-    {1, 893153, 31193413, &rov::thruster_8.command},  // thruster_8
-    {1, 888529, finemote::kNothingToBound, nullptr},  // rov
+    {0, 379744, finemote::kNothingToBound, nullptr},  // imu
+    {1, 959103, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 956403, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 953637, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 942837, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 940137, 31253739, &rov::thruster_1.command},  // thruster_1
+    {1, 935578, 31249181, &rov::thruster_2.command},  // thruster_2
+    {1, 930954, 31241959, &rov::thruster_3.command},  // thruster_3
+    {1, 926396, 31237329, &rov::thruster_4.command},  // thruster_4
+    {1, 919168, 31232765, &rov::thruster_5.command},  // thruster_5
+    {1, 914616, 31228213, &rov::thruster_6.command},  // thruster_6
+    {1, 909992, 31220991, &rov::thruster_7.command},  // thruster_7
+    {1, 905434, 31210936, &rov::thruster_8.command},  // thruster_8
+    {1, 898212, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 369.328 us of its release.
+/// a job ends within 374.324 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 876.176 us of its release.
+/// a job ends within 888.332 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{369328, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{875634, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{875634, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{875634, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{875634, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{875634, 31174694, 34884483};
-inline constexpr finemote::Bounds thruster_2{873776, 31172770, 34884417};
-inline constexpr finemote::Bounds thruster_3{871918, 31170912, 34884417};
-inline constexpr finemote::Bounds thruster_4{869994, 31169054, 34884417};
-inline constexpr finemote::Bounds thruster_5{868130, 31167190, 34899887};
-inline constexpr finemote::Bounds thruster_6{866278, 31165337, 34899886};
-inline constexpr finemote::Bounds thruster_7{858946, 31163479, 34899886};
-inline constexpr finemote::Bounds thruster_8{854616, 31161555, 34899886};
-inline constexpr finemote::Bounds rov{852758, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{374324, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{887790, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{887790, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{887790, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{887790, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{887790, 31192092, 34922734};
+inline constexpr finemote::Bounds thruster_2{885932, 31190234, 34922734};
+inline constexpr finemote::Bounds thruster_3{884074, 31188310, 34922668};
+inline constexpr finemote::Bounds thruster_4{882216, 31183854, 34935932};
+inline constexpr finemote::Bounds thruster_5{880286, 31181990, 34935932};
+inline constexpr finemote::Bounds thruster_6{875836, 31180138, 34935932};
+inline constexpr finemote::Bounds thruster_7{873978, 31178214, 34935932};
+inline constexpr finemote::Bounds thruster_8{872120, 31176356, 34935932};
+inline constexpr finemote::Bounds rov{870196, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV
