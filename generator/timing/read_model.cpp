@@ -313,8 +313,7 @@ void ModelReader::read_parent(Device&, const Value& v) {
 }
 
 std::optional<Rank> ModelReader::find_device(const std::string& device, const Value& where) {
-  const auto found = device_names_.find(device);
-  if (found != device_names_.end()) return found->second;
+  if (const auto found = device_names_.find(device); found != device_names_.end()) return found->second;
   std::vector<std::string> names;
   for (const auto& [known, index] : device_names_) names.push_back(known);
   auto& d = values_.error(code::timing_parent, where, fmt::format("there is no device '{}'", device));
@@ -323,8 +322,7 @@ std::optional<Rank> ModelReader::find_device(const std::string& device, const Va
 }
 
 std::optional<BusPlace> ModelReader::find_bus(const std::string& bus, const Value& where) {
-  const auto found = bus_names_.find(bus);
-  if (found != bus_names_.end()) return found->second;
+  if (const auto found = bus_names_.find(bus); found != bus_names_.end()) return found->second;
   if (!bus.empty()) values_.error(code::timing_parent, where, fmt::format("there is no bus '{}'", bus));
   return std::nullopt;
 }
