@@ -82,7 +82,7 @@ struct BringUp {
   Json faults;  ///< counted so far
 };
 
-/// Runs until every awaited part has been seen, but no longer than the job allows.
+/// Runs until every awaited part has been seen, no shorter and no longer than the job says.
 /// @return nothing when the board stopped
 std::optional<BringUp> bring_up(Board& board, const Image& image, const Outfit& outfit, const Json& job,
                                 std::int64_t zero) {
@@ -90,13 +90,16 @@ std::optional<BringUp> bring_up(Board& board, const Image& image, const Outfit& 
   for (const Json& entry : job.at("await"))
     awaited.push_back({entry.at("part"), entry.at("output") ? PartEvent::Kind::output : PartEvent::Kind::sample});
   const std::int64_t last = zero + job.at("bring_up_ns").get<std::int64_t>();
+  const std::int64_t least = job.value("least_bring_up_ns", std::int64_t{0});
   const auto all_seen = [&] {
     return std::all_of(awaited.begin(), awaited.end(), [&](const Awaited& a) { return a.first_ns(outfit); });
   };
-  while (!all_seen() && static_cast<std::int64_t>(board.now_ns()) < last) {
+  const auto is_before = [&](std::int64_t time) { return static_cast<std::int64_t>(board.now_ns()) < time; };
+  while (is_before(zero + least) || (!all_seen() && is_before(last))) {
     if (board.run_for(kStep) != Stop::time) return std::nullopt;
   }
   BringUp result;
+  result.end_ns = least;
   result.faults = faults_of(board, image);
   for (const Awaited& a : awaited) {
     const auto first = a.first_ns(outfit);

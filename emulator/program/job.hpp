@@ -13,6 +13,7 @@
 // - [`events`]: another one: what happens (its `events`), and what has to be seen (its `expect`)
 // - `await`: each `part` whose first sample, or first `output`, ends the bring-up
 // - `bring_up_ns`: how long that may take from the first release on
+// - [`least_bring_up_ns`]: how long it takes at least
 // - `duration_ns`: how long the board runs from the end of the bring-up on
 // - `last_event_ns`: up to when it runs at least
 // - `ports`: the buses to account for

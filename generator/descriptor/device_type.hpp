@@ -115,6 +115,7 @@ struct DeviceType {
   std::vector<GeometrySpec> geometry;
   std::string link_role;  ///< whose states and commands go over its link; empty: it is none
   bool actuator = false;
+  Duration bring_up;  ///< of what measures nothing: until its part obeys commands, at most
   bool constant_init = true;
   std::optional<WcetDefault> wcet;
   std::optional<Acquisition> acquisition;    ///< none: update() makes or reads its sample on the spot

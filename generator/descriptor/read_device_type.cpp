@@ -205,6 +205,7 @@ DeviceType read_device_type(const Json& value, const Origin& origin, Diagnostics
   type.geometry = read_list<GeometrySpec>(value, "geometry", read_geometry);
   if (const auto link = value.find("link"); link != value.end()) type.link_role = link->at("role").get<std::string>();
   type.actuator = value.value("actuator", false);
+  type.bring_up = duration_member(value, "bring_up_ns").value_or(type.bring_up);
   type.constant_init = value.value("constant_init", true);
   type.wcet = read_wcet(value);
   if (const auto it = value.find("acquisition"); it != value.end()) type.acquisition = read_acquisition(*it);

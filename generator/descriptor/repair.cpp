@@ -55,9 +55,9 @@ bool loosen_param(Json& root, const JsonPath& path) {
 
 /// Members the model of a robot does without.
 bool drop(Json& root, const JsonPath& path) {
-  constexpr std::array kOptional{"summary",   "class",         "header",      "geometry",   "link",
-                                 "actuator",  "constant_init", "acquisition", "interrupts", "wcet",
-                                 "emulation", "frames",        "references"};
+  constexpr std::array kOptional{"summary",     "class",         "header",      "geometry",   "link",
+                                 "actuator",    "constant_init", "acquisition", "interrupts", "wcet",
+                                 "bring_up_ns", "emulation",     "frames",      "references"};
   if (path.empty()) return true;  // a member is missing: filled in below
   const bool is_optional = std::find(kOptional.begin(), kOptional.end(), path[0]) != kOptional.end();
   if (is_optional) root.erase(path[0]);

@@ -19,8 +19,14 @@ nlohmann::ordered_json awaited_parts(const Robot& robot) {
   return list;
 }
 
+Duration shortest_bring_up(const Robot& robot) {
+  Duration shortest;
+  for (const Device& device : robot.devices) shortest = std::max(shortest, device.type->bring_up);
+  return shortest;
+}
+
 Duration longest_bring_up(const Robot& robot) {
-  Duration longest = Acquisition().bring_up;
+  Duration longest = std::max(Acquisition().bring_up, shortest_bring_up(robot));
   for (const Device& device : robot.devices) {
     if (device.type->acquisition) longest = std::max(longest, device.type->acquisition->bring_up);
   }

@@ -11,6 +11,9 @@ namespace finemote::gen {
 /// first output.
 nlohmann::ordered_json awaited_parts(const Robot& robot);
 
+/// The longest `bring_up_ns` of a type whose part nobody can see to be up.
+Duration shortest_bring_up(const Robot& robot);
+
 /// The longest `bring_up_ns` of a descriptor, or what is usual.
 Duration longest_bring_up(const Robot& robot);
 

@@ -194,6 +194,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
               {"flash", flash},
               {"await", awaited_parts(robot)},
               {"bring_up_ns", longest_bring_up(robot).ns()},
+              {"least_bring_up_ns", shortest_bring_up(robot).ns()},
               {"duration_ns", duration.ns()},
               {"last_event_ns", last_event.ns()},
               {"ports", bus_ports(robot)},

@@ -47,6 +47,12 @@ TEST_CASE("a robot without parts is up with its first release") {
   CHECK(stage(run, "controller", "handle")["count"] == 5);
 }
 
+TEST_CASE("what measures nothing is up when its type says so") {
+  const Json run = finemote_json({"run", source_path("tests/emulator/bounds/homing.urdf"), "--duration", "50ms"});
+  CHECK(run["bringup_ns"] == 150 * kMillisecond);
+  CHECK(std::abs(stage(run, "timer", "handle")["count"].get<int>() - 5) <= 1);
+}
+
 TEST_CASE("a part that never comes up is named, and its chain has no sample") {
   const TemporaryFolder folder;
   write_file(folder.path("silent.json"), R"({"schema": "finemote.scenario/1", "events": [
