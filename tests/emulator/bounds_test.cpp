@@ -44,6 +44,7 @@ const Case kCases[] = {
     {"late_valve", "500ms", "valve", "valve", "wire", 2.25, {"--phases", "4", "--seed", "9"}},
     {"display", "500ms", "depth", "panel", "wire", 1.25, {"--phases", "4", "--seed", "9"}},
     {"commanded", "900ms", "pilot", "servo", "acquire", 1.25, {"--phases", "6", "--seed", "1"}},
+    {"watcher", "3s", nullptr, nullptr, nullptr, 0},
     {"screen", "1s", nullptr, nullptr, nullptr, 0},
     {"survey", "300ms", nullptr, nullptr, nullptr, 0},
     {"slow_can", "600ms", nullptr, nullptr, nullptr, 0, {"--phases", "12", "--seed", "1"}},

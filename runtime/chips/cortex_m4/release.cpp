@@ -196,9 +196,11 @@ Interval release_interval() {
     retried_if_interrupted<RetriedBy::release>();
     const Instant* const present = r.present;
     if (present == nullptr) return {0, 1};
-    const Interval interval{present->stamp, present->next->stamp - present->stamp};
+    const std::uint32_t stamp = present->stamp;  // first and last: when the ring has turned in between, it is another
     std::atomic_signal_fence(std::memory_order_seq_cst);
-    if (r.present == present && present->stamp == interval.begin) return interval;
+    const std::uint32_t length = present->next->stamp - stamp;
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    if (r.present == present && present->stamp == stamp) return {stamp, length};
   }
 }
 
@@ -217,8 +219,9 @@ Time now() {
     retried_if_interrupted<RetriedBy::release>();
     const cortex_m4::Instant* const present = r.present;
     if (present == nullptr) return 0;
+    const std::uint32_t stamp = present->stamp;  // as there
+    std::atomic_signal_fence(std::memory_order_seq_cst);
     const Time at = present->at;
-    const std::uint32_t stamp = present->stamp;
     // Instants are less than 2^24 cycles apart, and the product fits 32 bits up to twice that.
     const std::uint32_t since = (cortex_m4::cycles() - stamp) * cortex_m4::kNsPerUnit / cortex_m4::kCyclesPerUnit;
     std::atomic_signal_fence(std::memory_order_seq_cst);
