@@ -27,6 +27,9 @@ unsigned lowest(std::uint32_t bits) { return static_cast<unsigned>(__builtin_ctz
 /// 128 sequences of eleven recessive bits: ISO 11898-1.
 constexpr std::int64_t kRecoveryBits = 128 * 11;
 
+/// What a shared frame has in it that drives nothing.
+constexpr std::uint8_t kZeros[8] = {};
+
 /// How long the controller may take until it begins with that; ST's drivers allow as much.
 constexpr Duration kLongestPreparation = 10 * kMillisecond;
 
@@ -119,6 +122,10 @@ Time CanBus::busy_since(Moment arrival) {
 void CanBus::send(const Next& next, Time at) {
   if (!port_->send(*next.frame)) return;
   next.waiting->clear_bits(next.own);
+  if (silent_groups_.load() != 0 && next.waiting == &waiting_groups_) {
+    only_after_fault();
+    silent_groups_.clear_bits(next.own);
+  }
   if (at > sent_[0].until) {
     for (unsigned i = kSentKept - 1; i > 0; --i) sent_[i] = sent_[i - 1];
     sent_[0] = {at - longest_frame_ / static_cast<std::int32_t>(kLongestFrameBits), at + kLongestRoutine};
@@ -209,7 +216,8 @@ bool CanBus::set_shared(const CanSlot& slot, const std::uint8_t* bytes) {
   // supervise() may clear the frame in between: what it left of the bytes is written once more.
   for (int attempt = 0; attempt < 2; ++attempt) {
     const std::uint8_t cleared = group->cleared.load();
-    write(*group, share, bytes);
+    const bool is_silent = (silent_groups_.load() & own) != 0;
+    write(*group, share, is_silent ? kZeros : bytes);
     if (group->cleared.load() == cleared) break;
     only_after_fault();
   }
@@ -277,14 +285,16 @@ void CanBus::begin_recovery(Time at) {
 }
 
 // What was queued before the controller began to return is old: all groups go to zero, and only new commands drive
-// again. Nothing leaves before: 1408 bits go by.
+// again, behind the zeros. Nothing leaves before: 1408 bits go by.
 void CanBus::silence() {
   std::uint32_t used = 0;
   for (unsigned i = 0; i < kGroups; ++i) {
-    Group& group = groups_[i];
+    if (groups_[i].id.load() != 0) used |= bit_of(i);
+  }
+  silent_groups_.store(used);
+  for (Group& group : groups_) {
     for (std::uint8_t& byte : group.frame.data) byte = 0;
     group.cleared.store(static_cast<std::uint8_t>(group.cleared.load() + 1));
-    if (group.id.load() != 0) used |= bit_of(i);
   }
   waiting_groups_.store(used);
   waiting_slots_.store(0);

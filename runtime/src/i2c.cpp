@@ -4,6 +4,7 @@
 #include "finemote/mark.hpp"
 #include "finemote/only_after_fault.hpp"
 #include "finemote/raised_by.hpp"
+#include "start.hpp"
 
 namespace finemote {
 
@@ -232,6 +233,7 @@ void I2cBus::supervise() {
     case Mode::kOff:
       return;
     case Mode::kReady:
+      if (detail::has_stopped()) send_safe();
       return look_at_unit();
     case Mode::kRecover:
       return carry_recovery_on();
@@ -242,6 +244,18 @@ void I2cBus::supervise() {
       mode_.store(Mode::kRecover);
       return;
   }
+}
+
+/// No bucket runs any more. What they had asked for fails, and every safe write goes out, again with each call.
+void I2cBus::send_safe() {
+  only_after_fault();
+  for (std::uint8_t i = 0; i < count_ && !is_stopped_; ++i) {
+    if (slots_[i]->state_.replace(SlotState::kQueued, SlotState::kFailed)) slots_[i]->end(SlotState::kFailed, now());
+  }
+  is_stopped_ = true;
+  if (unit_.load() % 2 != 0) return;  // its routine has the cursor
+  safe_cursor_ = 0;
+  port_->pend();
 }
 
 /// A unit is overdue that stands still behind its deadline: one that goes on may have been kept waiting by interrupts.

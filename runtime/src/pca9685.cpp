@@ -1,4 +1,7 @@
 #include "finemote/pca9685.hpp"
+
+#include <cstring>
+
 #include "finemote/mark.hpp"
 #include "finemote/only_after_fault.hpp"
 #include "start.hpp"
@@ -52,6 +55,10 @@ void Pca9685::flush() {
 void Pca9685::work() {
   if (safe_changed_.exchange(false)) build_safe();
   if (slot_->busy()) return;
+  if (detail::has_stopped()) {  // it may have cut off what had taken changes out and not sent them
+    only_after_fault();
+    changed_.set_bits(used_.load() | safe_known_.load());
+  }
   take_result();
   unreachable_.store(slot_->unreachable() || !slot_->bus().ready());
   begin_step();
@@ -181,6 +188,12 @@ void Pca9685::put(std::uint8_t* at, std::uint32_t pulse) const {
   at[3] = pulse == 0 ? kFullOff : static_cast<std::uint8_t>(off >> 8);
 }
 
+/// The present one. What has no safe one, and lies between channels that have, keeps it where the safe ones are sent.
+void Pca9685::put_pulse(unsigned channel, std::uint8_t* at) {
+  put(at, channel_[channel].pulse.load());
+  if ((kept_ >> channel & 1U) != 0) std::memcpy(safe_image_ + 1 + 4 * (channel - safe_first_), at, 4);
+}
+
 void Pca9685::build_safe() {
   const std::uint32_t known = safe_known_.load();
   const unsigned first = lowest(known), last = highest(known);
@@ -190,6 +203,8 @@ void Pca9685::build_safe() {
     put(safe_image_ + 1 + 4 * (n - first), (safe ? channel_[n].safe : channel_[n].pulse).load());
   }
   safe_size_ = static_cast<std::uint8_t>(1 + 4 * (last - first + 1));
+  safe_first_ = static_cast<std::uint8_t>(first);
+  kept_ = static_cast<std::uint16_t>((((2U << last) - 1) & ~((1U << first) - 1)) & ~known);
   slot_->set_safe(safe_image_, safe_size_);
 }
 
@@ -204,7 +219,7 @@ std::size_t Pca9685::build_burst() {
     used_.set_bits(changed);
     const unsigned first = lowest(in_burst_), last = highest(in_burst_);
     burst_[0] = static_cast<std::uint8_t>(kLed0 + 4 * first);
-    for (unsigned n = first; n <= last; ++n) put(burst_ + 1 + 4 * (n - first), channel_[n].pulse.load());
+    for (unsigned n = first; n <= last; ++n) put_pulse(n, burst_ + 1 + 4 * (n - first));
     size = 1 + 4 * (last - first + 1);
   }
   return size;

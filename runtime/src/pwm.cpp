@@ -2,6 +2,7 @@
 
 #include "finemote/fault.hpp"
 #include "finemote/mark.hpp"
+#include "start.hpp"
 
 namespace finemote {
 
@@ -37,7 +38,9 @@ void PwmBus::flush() {
   const MarkedWork<Work::flush_pwm> marked;
   const bool tuned = tuned_.exchange(false);
   if (tuned && !port_->tune(period_.load())) count_fault(Module::pwm, kNotTunable);
-  if (changed_.exchange(0) != 0 || tuned) port_->write(channel_.pulse.load());
+  // A stop may have cut off what had taken the change out and not written it.
+  const bool is_certain = changed_.exchange(0) != 0 || tuned || detail::has_stopped();
+  if (is_certain) port_->write(channel_.pulse.load());
 }
 
 }  // namespace finemote

@@ -4,6 +4,7 @@
 #include "finemote/four_bytes.hpp"
 #include "finemote/least.hpp"
 #include "finemote/only_after_fault.hpp"
+#include "start.hpp"
 
 namespace finemote {
 
@@ -38,7 +39,10 @@ void Rs485::start() {
 }
 
 void Rs485::carry_on() {
-  if (busy_.exchange(true)) return;
+  if (busy_.exchange(true)) {
+    if (!detail::has_stopped()) return;  // whom we preempt goes on, but for who was cut off by a stop
+    only_after_fault();
+  }
   if (active_ != nullptr) take_reply();
   if (active_ == nullptr) pick();
   busy_.store(false);
@@ -88,8 +92,8 @@ void Rs485::pick() {
     const std::size_t size = least(slot.size_, port_->transmit_capacity());  // the same
     move_bytes(slot.bytes_, port_->transmit_buffer(), size);
     reply_from_ = port_->received();
-    deadline_ = now() + 2 * (slot.size_ + slot.reply_size_) * byte_time_ + kReplySlack;
     port_->transmit(size);
+    deadline_ = now() + 2 * (slot.size_ + slot.reply_size_) * byte_time_ + kReplySlack;  // not before: see take_reply()
     return;
   }
 }

@@ -168,8 +168,8 @@ bool Uart::write(const std::uint8_t* bytes, std::size_t size) {
   }
   std::uint8_t* buffer = port_->transmit_buffer();
   move_bytes(bytes, buffer, size);
-  send_deadline_ = now() + 2 * wire_time(size) + kSendSlack;
   port_->transmit(size);
+  send_deadline_ = now() + 2 * wire_time(size) + kSendSlack;  // not before, where it may be kept waiting for long
   ++counters_.transfers;
   return true;
 }

@@ -200,3 +200,20 @@ TEST_CASE_METHOD(Fixture, "after bus-off the groups go to zero first, and what w
   bus.supervise();
   CHECK(bus.counters().recoveries == 1);
 }
+
+TEST_CASE_METHOD(Fixture, "what is set before the zeros of a recovery have left does not take their place") {
+  set_word(one, 1000);
+  host::can1.off = true;
+  bus.flush();
+  host::advance(1 * kMillisecond);
+  bus.supervise();
+  set_word(one, 1000);
+  bus.flush();
+  host::advance(1 * kMillisecond);
+  REQUIRE_FALSE(host::can1.sent.empty());
+  for (const auto& sent : host::can1.sent) CHECK(sent.frame.data[0] == 0);
+  set_word(one, 1000);
+  bus.flush();
+  host::advance(1 * kMillisecond);
+  CHECK(host::can1.sent.back().frame.data[0] == 1000 >> 8);
+}

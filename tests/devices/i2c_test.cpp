@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "finemote/bench/bench.hpp"
 #include "runtime/boards/host/ports/i2c_parts.hpp"
+#include "runtime/src/start.hpp"
 
 namespace {
 
@@ -189,6 +190,25 @@ TEST_CASE_METHOD(Fixture, "an overdue transfer is ended, the bus recovered, and 
   const std::string first = "71:? 71:00 70:10 40:06,01,02 70:02 76:11";
   CHECK(wire_text().substr(0, first.size()) == first);
   CHECK(actuator.written == std::vector<Bytes>{{0x06, 0x01, 0x02}});
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "once the robot has stopped the safe writes go out again and again, and what was queued does not") {
+  const std::uint8_t neutral[3] = {0x06, 0x01, 0x02};
+  bench::at(1 * kMillisecond, [&] {
+    drive.set_safe(neutral, sizeof neutral);
+    direct.start(one, 1);
+  });
+  bench::at(1 * kMillisecond + 1, [&] {
+    drive.start(two, 2);
+    detail::set_stopped(true);
+    bus.supervise();
+  });
+  bench::run(20 * kMillisecond);
+  CHECK(direct.done());  // it was on the wire
+  CHECK(drive.state() == SlotState::kFailed);
+  REQUIRE(actuator.written.size() > 10);
+  for (const Bytes& bytes : actuator.written) CHECK(bytes == Bytes{0x06, 0x01, 0x02});
 }
 
 TEST_CASE_METHOD(Fixture, "a bus error leads to recovery too") {

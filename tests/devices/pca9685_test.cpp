@@ -223,6 +223,22 @@ TEST_CASE_METHOD(Fixture, "after a stuck bus the first bytes are the safe pulses
   CHECK(part.pulse(1) == 389 * 4880);
 }
 
+TEST_CASE_METHOD(Fixture, "an output without a safe pulse between two that have one keeps its own after a recovery") {
+  bench::robot().safe = [&] { safe({0, 2}); };
+  bench::at(300 * kMillisecond, [&] { pwm.set(1, 1900000); });
+  std::size_t before = 0;
+  bench::at(400 * kMillisecond, [&] {
+    CHECK(part.pulse(1) == 389 * 4880);
+    bench::robot().slow = [] {};  // no flush from here on
+    host::i2c2.disturb(1);
+    before = part.changes.size();
+    slot.start(nullptr, 0);
+  });
+  bench::run(600 * kMillisecond);
+  REQUIRE(part.changes.size() > before);
+  for (std::size_t i = before; i < part.changes.size(); ++i) CHECK(part.changes[i].pulses[1] == 389 * 4880);
+}
+
 TEST_CASE_METHOD(Fixture, "a flush cut off by a stop of the robot does not keep the safe pulses back") {
   bench::robot().safe = [&] { safe({0}); };
   bench::run(200 * kMillisecond);

@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "finemote/bench/bench.hpp"
+#include "runtime/src/start.hpp"
 
 namespace {
 
@@ -82,6 +83,18 @@ TEST_CASE_METHOD(Fixture, "safe is neutral, and an unchanged pulse is not writte
   esc.update();
   CHECK(esc.state.effort == 0);
   CHECK(esc.state.valid);
+}
+
+TEST_CASE_METHOD(Fixture, "once the robot has stopped, what is safe is written whether it seems to be or not") {
+  drive(esc, 1);
+  esc.safe();
+  bus.flush();
+  const std::size_t writes = host::pwm1.writes.size();
+  detail::set_stopped(true);
+  esc.safe();
+  bus.flush();
+  REQUIRE(host::pwm1.writes.size() == writes + 1);
+  CHECK(host::pwm1.writes.back().pulse == 1500000);
 }
 
 TEST_CASE_METHOD(Fixture, "a channel the part does not have is ignored") {

@@ -206,6 +206,7 @@ class CanBus {
   // A bit for each group, and for each slot by its place. Interrupt routines look at them without a loop.
   Shared<std::uint32_t> waiting_groups_{0}, waiting_slots_{0};
   Shared<std::uint32_t> setting_groups_{0};  ///< a device's bytes are half written: they are not sent now
+  Shared<std::uint32_t> silent_groups_{0};   ///< their zeros after a recovery are still to be sent
   Group groups_[kGroups];
   BusCounters counters_;
 };

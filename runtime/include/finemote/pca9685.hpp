@@ -81,6 +81,7 @@ class Pca9685 : public PwmOutput {
   void build_safe();
   [[nodiscard]] std::size_t build_burst();
   void put(std::uint8_t* at, std::uint32_t pulse) const;
+  void put_pulse(unsigned channel, std::uint8_t* at);
 
   I2cSlot* slot_;
   std::uint8_t prescale_;
@@ -97,6 +98,8 @@ class Pca9685 : public PwmOutput {
   Shared<std::uint32_t> used_{0};  ///< channels that were ever sent
   Shared<bool> busy_{false};       ///< a flush is being worked on
   std::uint8_t safe_size_ = 0;
+  std::uint8_t safe_first_ = 0;  ///< channel of the safe image
+  std::uint16_t kept_ = 0;       ///< channels of it that have no safe pulse
   std::uint8_t burst_[kImage]{};
   std::uint8_t safe_image_[kImage]{};
   Channel channel_[kChannels];

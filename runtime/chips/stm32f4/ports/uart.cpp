@@ -208,12 +208,13 @@ void UartPort::transmit(std::size_t size) {
   setup.transmit.m0ar().write(address_of(hardware_->setup.transmit_buffer));
   setup.transmit.ndtr().write(size);
   hardware_->sending.store(true);
+  const std::uint32_t stream = std::uint32_t{setup.channel} << dma::kChannelShift | dma::kMemoryIncrement |
+                               dma::kMemoryToPeripheral | dma::kEnable;
+  const cortex_m4::Masked masked;  // the line is driven from the first bit to the last, whatever comes
   hardware_->drive(true);
   setup.usart.sr().write(~usart::kTransmitComplete);  // cleared by writing 0; ones leave the others: RM0090 30.6.1
-  setup.transmit.cr().write(std::uint32_t{setup.channel} << dma::kChannelShift | dma::kMemoryIncrement |
-                            dma::kMemoryToPeripheral | dma::kEnable);
-  const cortex_m4::Masked masked;
   setup.usart.cr1().set(usart::kCompleteInterrupt);
+  setup.transmit.cr().write(stream);
 }
 
 void UartPort::abort_transmit() {
