@@ -207,7 +207,7 @@ TEST_CASE_METHOD(Fixture,
   bench::run(20 * kMillisecond);
   CHECK(direct.done());  // it was on the wire
   CHECK(drive.state() == SlotState::kFailed);
-  REQUIRE(actuator.written.size() > 10);
+  REQUIRE(actuator.written.size() >= 3);
   for (const Bytes& bytes : actuator.written) CHECK(bytes == Bytes{0x06, 0x01, 0x02});
 }
 
