@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 256659, finemote::kNothingToBound, nullptr},  // imu
-    {1, 552776, finemote::kNothingToBound, nullptr},  // depth
-    {1, 550010, finemote::kNothingToBound, nullptr},  // button
-    {1, 547310, 24123614, &station::servo.command},  // servo
-    {1, 542442, 24118878, &station::green_led.command},  // green_led
-    {1, 536467, 24112772, &station::blue_led.command},  // blue_led
-    {1, 530289, finemote::kNothingToBound, nullptr},  // station
+    {0, 260171, finemote::kNothingToBound, nullptr},  // imu
+    {1, 556425, finemote::kNothingToBound, nullptr},  // depth
+    {1, 553725, finemote::kNothingToBound, nullptr},  // button
+    {1, 550827, 24123923, &station::servo.command},  // servo
+    {1, 546091, 24119187, &station::green_led.command},  // green_led
+    {1, 539984, 24113081, &station::blue_led.command},  // blue_led
+    {1, 534004, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 251.193 us of its release.
+/// a job ends within 254.704 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 528.062 us of its release.
+/// a job ends within 532.145 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{251193, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{521947, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{521947, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{521947, 24111482, 24205887};
-inline constexpr finemote::Bounds green_led{519910, 24109446, 24205887};
-inline constexpr finemote::Bounds blue_led{516636, 24106105, 24205820};
-inline constexpr finemote::Bounds station{513356, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{254704, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{525596, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{525596, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{525596, 24111791, 24206660};
+inline constexpr finemote::Bounds green_led{523560, 24109755, 24206660};
+inline constexpr finemote::Bounds blue_led{520154, 24106414, 24206594};
+inline constexpr finemote::Bounds station{516873, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 379744, finemote::kNothingToBound, nullptr},  // imu
-    {1, 959103, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 956403, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 953637, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 942837, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 940137, 31253739, &rov::thruster_1.command},  // thruster_1
-    {1, 935578, 31249181, &rov::thruster_2.command},  // thruster_2
-    {1, 930954, 31241959, &rov::thruster_3.command},  // thruster_3
-    {1, 926396, 31237329, &rov::thruster_4.command},  // thruster_4
-    {1, 919168, 31232765, &rov::thruster_5.command},  // thruster_5
-    {1, 914616, 31228213, &rov::thruster_6.command},  // thruster_6
-    {1, 909992, 31220991, &rov::thruster_7.command},  // thruster_7
-    {1, 905434, 31210936, &rov::thruster_8.command},  // thruster_8
-    {1, 898212, finemote::kNothingToBound, nullptr},  // rov
+    {0, 380171, finemote::kNothingToBound, nullptr},  // imu
+    {1, 959505, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 956805, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 954039, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 943245, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 940545, 31254087, &rov::thruster_1.command},  // thruster_1
+    {1, 935986, 31249529, &rov::thruster_2.command},  // thruster_2
+    {1, 931362, 31242307, &rov::thruster_3.command},  // thruster_3
+    {1, 926804, 31237677, &rov::thruster_4.command},  // thruster_4
+    {1, 919576, 31233113, &rov::thruster_5.command},  // thruster_5
+    {1, 915024, 31228561, &rov::thruster_6.command},  // thruster_6
+    {1, 910400, 31221339, &rov::thruster_7.command},  // thruster_7
+    {1, 905842, 31211290, &rov::thruster_8.command},  // thruster_8
+    {1, 898620, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 374.324 us of its release.
+/// a job ends within 374.77 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 888.332 us of its release.
+/// a job ends within 888.73 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{374324, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{887790, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{887790, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{887790, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{887790, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{887790, 31192092, 34922734};
-inline constexpr finemote::Bounds thruster_2{885932, 31190234, 34922734};
-inline constexpr finemote::Bounds thruster_3{884074, 31188310, 34922668};
-inline constexpr finemote::Bounds thruster_4{882216, 31183854, 34935932};
-inline constexpr finemote::Bounds thruster_5{880286, 31181990, 34935932};
-inline constexpr finemote::Bounds thruster_6{875836, 31180138, 34935932};
-inline constexpr finemote::Bounds thruster_7{873978, 31178214, 34935932};
-inline constexpr finemote::Bounds thruster_8{872120, 31176356, 34935932};
-inline constexpr finemote::Bounds rov{870196, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{374770, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{888218, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{888218, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{888218, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{888218, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{888218, 31192531, 34971640};
+inline constexpr finemote::Bounds thruster_2{886360, 31190608, 34971576};
+inline constexpr finemote::Bounds thruster_3{884502, 31188749, 34971575};
+inline constexpr finemote::Bounds thruster_4{882644, 31184294, 34984840};
+inline constexpr finemote::Bounds thruster_5{880714, 31182430, 34984840};
+inline constexpr finemote::Bounds thruster_6{876264, 31180578, 34984840};
+inline constexpr finemote::Bounds thruster_7{874406, 31178654, 34984840};
+inline constexpr finemote::Bounds thruster_8{872548, 31176796, 34984840};
+inline constexpr finemote::Bounds rov{870690, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

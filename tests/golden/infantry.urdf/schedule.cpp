@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 194323, finemote::kNothingToBound, nullptr},  // imu
-    {0, 188271, 28543442, &gimbal::yaw.command},  // yaw
-    {0, 181576, 28536747, &gimbal::pitch.command},  // pitch
-    {1, 234640, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 305113, 26660184, &chassis::front_left.command},  // front_left
-    {2, 298673, 26653744, &chassis::front_right.command},  // front_right
-    {2, 292162, 26647233, &chassis::rear_left.command},  // rear_left
-    {2, 285723, 26640794, &chassis::rear_right.command},  // rear_right
-    {2, 279277, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 386048, finemote::kNothingToBound, nullptr},  // remote
+    {0, 382504, finemote::kNothingToBound, nullptr},  // imu
+    {0, 376451, 28731622, &gimbal::yaw.command},  // yaw
+    {0, 249400, 28604571, &gimbal::pitch.command},  // pitch
+    {1, 405612, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 929699, 27284770, &chassis::front_left.command},  // front_left
+    {2, 813431, 27168502, &chassis::front_right.command},  // front_right
+    {2, 695067, 27050138, &chassis::rear_left.command},  // rear_left
+    {2, 576643, 26931714, &chassis::rear_right.command},  // rear_right
+    {2, 466034, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 1302609, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 184.487 us of its release.
+/// a job ends within 372.833 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 198.664 us of its release.
+/// a job ends within 386.945 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 266.963 us of its release.
+/// a job ends within 891.615 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 341.046 us of its release.
+/// a job ends within 948.257 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{181123, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{177770, 28532941, 28890108};
-inline constexpr finemote::Bounds pitch{173775, 28528946, 28890109};
-inline constexpr finemote::Bounds gimbal{198664, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{265445, 26620516, 27022006};
-inline constexpr finemote::Bounds front_right{261706, 26616777, 27022006};
-inline constexpr finemote::Bounds rear_left{257960, 26613031, 27022005};
-inline constexpr finemote::Bounds rear_right{254221, 26609292, 27022005};
-inline constexpr finemote::Bounds chassis{250476, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{341046, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{369303, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{365951, 28721122, 29078622};
+inline constexpr finemote::Bounds pitch{241600, 28596771, 29102102};
+inline constexpr finemote::Bounds gimbal{386945, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{890031, 27245102, 27904341};
+inline constexpr finemote::Bounds front_right{776463, 27131534, 27967393};
+inline constexpr finemote::Bounds rear_left{658709, 27013780, 27965303};
+inline constexpr finemote::Bounds rear_right{491027, 26846098, 27618689};
+inline constexpr finemote::Bounds chassis{421448, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{948257, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -18,19 +18,19 @@
 namespace infantry::chassis {
 
 /// front_left: dji_m3508 on 'wheel_can' id 1, every 5 ms
-/// response <= 265.445 us; data age <= 26.621 ms when handle() ends, <= 27.023 ms at the output (oldest: remote)
+/// response <= 890.031 us; data age <= 27.246 ms when handle() ends, <= 27.905 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{finemote::DjiM3508::Config{}, slots::front_left};
 
 /// front_right: dji_m3508 on 'wheel_can' id 2, every 5 ms
-/// response <= 261.706 us; data age <= 26.617 ms when handle() ends, <= 27.023 ms at the output (oldest: remote)
+/// response <= 776.463 us; data age <= 27.132 ms when handle() ends, <= 27.968 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{finemote::DjiM3508::Config{}, slots::front_right};
 
 /// rear_left: dji_m3508 on 'wheel_can' id 3, every 5 ms
-/// response <= 257.96 us; data age <= 26.614 ms when handle() ends, <= 27.023 ms at the output (oldest: remote)
+/// response <= 658.709 us; data age <= 27.014 ms when handle() ends, <= 27.966 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{finemote::DjiM3508::Config{}, slots::rear_left};
 
 /// rear_right: dji_m3508 on 'wheel_can' id 4, every 5 ms
-/// response <= 254.221 us; data age <= 26.61 ms when handle() ends, <= 27.023 ms at the output (oldest: remote)
+/// response <= 491.027 us; data age <= 26.847 ms when handle() ends, <= 27.619 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{finemote::DjiM3508::Config{}, slots::rear_right};
 
 namespace ports {  // what 'chassis' sees of others
@@ -46,7 +46,7 @@ inline constexpr finemote::Port<finemote::Motor> chassis_wheels[] = {
 }  // namespace ports
 
 /// chassis: mecanum_chassis, every 5 ms
-/// response <= 250.476 us
+/// response <= 421.448 us
 FINEMOTE_CONSTINIT inline finemote::MecanumChassis chassis{
     [] { finemote::MecanumChassis::Config c{}; c.kp = 0.8f; c.ki = 1.0f; return c; }(),
     constants::chassis_rolling,
