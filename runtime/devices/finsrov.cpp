@@ -135,19 +135,19 @@ void FinsRov::obey(const FinsRovOrder& order, Time at) {
     case Verb::kDepth:
       return aim(static_cast<float>(order.value[0]) * 0.001F);
     case Verb::kForward:
-      return move(config_.cruise, 0, 0, at);
+      return move(config_.cruise, 0, 0);
     case Verb::kBack:
-      return move(-config_.cruise, 0, 0, at);
+      return move(-config_.cruise, 0, 0);
     case Verb::kLeft:
-      return move(0, config_.cruise, 0, at);
+      return move(0, config_.cruise, 0);
     case Verb::kRight:
-      return move(0, -config_.cruise, 0, at);
+      return move(0, -config_.cruise, 0);
     case Verb::kTurnLeft:
-      return move(0, 0, config_.turn, at);
+      return move(0, 0, config_.turn);
     case Verb::kTurnRight:
-      return move(0, 0, -config_.turn, at);
+      return move(0, 0, -config_.turn);
     case Verb::kStop:
-      return move(0, 0, 0, at);
+      return move(0, 0, 0);
     case Verb::kHeadingOn:
       heading_on_ = true;
       target_yaw_ = attitude_.yaw;
@@ -166,7 +166,7 @@ void FinsRov::obey(const FinsRovOrder& order, Time at) {
       reporting_ = false;
       return;
     case Verb::kTest:
-      return test(order, at);
+      return test(order);
     case Verb::kCalibrate:
       return set_surface(at);
     case Verb::kValues:
@@ -192,19 +192,19 @@ void FinsRov::hold() {
 
 void FinsRov::aim(float depth) { target_depth_ = clamp(depth, 0, kDeepest); }
 
-void FinsRov::move(float surge, float sway, float turn, Time at) {
+void FinsRov::move(float surge, float sway, float turn) {
   surge_ = surge;
   sway_ = sway;
   turn_ = turn;
-  ordered_ = at;
+  ordered_ = orders_.origin();
 }
 
-void FinsRov::test(const FinsRovOrder& order, Time at) {
+void FinsRov::test(const FinsRovOrder& order) {
   if (mode_ == Mode::kHold) return;
   for (unsigned i = 0; i < kThrusters; ++i) {
     test_[i] = clamp((static_cast<float>(order.value[i]) - kTestNeutral) * kTestEffort, -1, 1);
   }
-  ordered_ = at;
+  ordered_ = orders_.origin();
   mode_ = Mode::kTest;
 }
 

@@ -118,6 +118,7 @@ void FinsRovHost::collect(Uart& uart) {
   const bool is_disturbed = uart.counters().errors != line_errors_;
   line_errors_ = uart.counters().errors;
   stage_ = Stage::kTakingApart;
+  origin_ = uart.began(0, size_);
   if (too_long_ || is_disturbed) drop();
 }
 

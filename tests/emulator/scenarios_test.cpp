@@ -193,6 +193,10 @@ TEST_CASE("what a dead computer sent before is not obeyed again when the recepti
   run_file(source_path("tests/emulator/robots/remote.urdf"), "remote_faults", "3s", 2);
 }
 
+TEST_CASE("the first pulse after a reset is the safe one, whatever the first job commands") {
+  run_file(source_path("tests/emulator/robots/remote.urdf"), "remote_reset", "1300ms", 2);
+}
+
 TEST_CASE("a chassis of the user's own moves on wheels whose motors are in composites") {
   const auto document =
       finemote_json({"run", source_path("tests/emulator/composite_wheels/robot.urdf"), "--scenario",

@@ -28,6 +28,9 @@ std::uint32_t cycles();
 /// board.
 void start_cycles(std::uint32_t value);
 
+/// Whether there is a release instant yet. From everywhere.
+[[nodiscard]] bool has_begun();
+
 /// Sets priority (level 0..15) of an interrupt line and enables it. For bus drivers, at start.
 void enable_line(unsigned line, std::uint8_t level);
 

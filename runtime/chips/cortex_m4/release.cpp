@@ -204,6 +204,8 @@ Interval release_interval() {
   }
 }
 
+bool has_begun() { return releases.present != nullptr; }
+
 void enable_line(unsigned line, std::uint8_t level) {
   nvic::set_priority(line, level);
   nvic::enable(line);

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "finemote/fault.hpp"
+#include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/stm32f4/clock.hpp"
 #include "runtime/chips/stm32f4/ports/pwm_hardware.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
@@ -108,8 +109,10 @@ bool PwmPort::tune(std::uint32_t period) {
 void PwmPort::write(std::uint32_t pulse) {
   const auto wanted = static_cast<std::uint32_t>((std::uint64_t{pulse} * hardware_->scale + (1U << 31)) >> 32);
   const std::uint32_t top = hardware_->top;
-  hardware_->setup.timer.ccr(hardware_->setup.channel)
-      .write(wanted < top ? wanted : top);  // preloaded: next repetition
+  const stm32f4::TimerRegisters& timer = hardware_->setup.timer;
+  timer.ccr(hardware_->setup.channel).write(wanted < top ? wanted : top);  // preloaded: next repetition
+  // What is safe after a reset is the first pulse, whatever the first job writes: the repetition begins anew with it.
+  if (!cortex_m4::has_begun()) timer.egr().write(timer::kEgrUpdate);
 }
 
 }  // namespace finemote

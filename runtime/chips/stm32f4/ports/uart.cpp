@@ -210,10 +210,13 @@ void UartPort::transmit(std::size_t size) {
   hardware_->sending.store(true);
   const std::uint32_t stream = std::uint32_t{setup.channel} << dma::kChannelShift | dma::kMemoryIncrement |
                                dma::kMemoryToPeripheral | dma::kEnable;
+  setup.usart.sr().write(~usart::kTransmitComplete);  // cleared by writing 0; ones leave the others: RM0090 30.6.1
+  {
+    const cortex_m4::Masked masked;
+    setup.usart.cr1().set(usart::kCompleteInterrupt);
+  }
   const cortex_m4::Masked masked;  // the line is driven from the first bit to the last, whatever comes
   hardware_->drive(true);
-  setup.usart.sr().write(~usart::kTransmitComplete);  // cleared by writing 0; ones leave the others: RM0090 30.6.1
-  setup.usart.cr1().set(usart::kCompleteInterrupt);
   setup.transmit.cr().write(stream);
 }
 

@@ -21,8 +21,8 @@ namespace finemote {
 /// between two updates is measured. The wrench goes through the allocation to the thrusters.
 ///
 /// It goes on with the last good inputs: what the thrusters get is as old as the oldest of them, and they stop by
-/// themselves when that is too old. Motion and test orders end `host_max_age` after the last of them. Off until the
-/// host says `ON`.
+/// themselves when that is too old. Motion and test orders end `host_max_age` after the last of them came. Off until
+/// the host says `ON`.
 class FinsRov {
  public:
   static constexpr unsigned kThrusters = 8;
@@ -78,8 +78,8 @@ class FinsRov {
   void take_depth(float depth, Time origin);
   void hold();
   void aim(float depth);
-  void move(float surge, float sway, float turn, Time at);
-  void test(const FinsRovOrder& order, Time at);
+  void move(float surge, float sway, float turn);
+  void test(const FinsRovOrder& order);
   void set_surface(Time at);
   void report(bool is_asked, Time at);
   [[nodiscard]] Wrench control(Time at);

@@ -56,6 +56,9 @@ class FinsRovHost {
   /// The next order of that message; false after the last one.
   bool next(FinsRovOrder& order);
 
+  /// When that message began to come.
+  [[nodiscard]] Time origin() const { return origin_; }
+
   [[nodiscard]] std::uint32_t bad_messages() const { return bad_messages_; }
 
  private:
@@ -81,6 +84,7 @@ class FinsRovHost {
   std::uint8_t numbers_ = 0;  ///< that have to follow
   Stage stage_ = Stage::kCollecting;
   bool too_long_ = false;
+  Time origin_ = kLongAgo;
   std::uint32_t line_errors_ = 0;
   std::uint32_t bad_messages_ = 0;
 };
