@@ -49,7 +49,7 @@ Instruction instruction_of(const cs_insn& decoded) {
   instruction.size = decoded.size;
   instruction.id = id_of(decoded);
   instruction.condition = arm.cc;
-  instruction.sets_flags = arm.update_flags;
+  instruction.sets_flags = arm.update_flags || instruction.id == ARM_INS_MSR;  // of which capstone does not say so
   instruction.writes_back = arm.writeback;
   instruction.operands.assign(arm.operands, arm.operands + arm.op_count);
   instruction.text = std::string(decoded.mnemonic) + " " + decoded.op_str;

@@ -101,7 +101,7 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
   finding.note("\n" + shortened(messages_of(result.output)));
   if (wants_heap(result.output))
     finding.hint("there is no heap: keep what std::vector, std::string or new would allocate in members of fixed size");
-  if (result.output.find("-Werror=date-time") != std::string::npos)
+  if (messages_of(result.output).find("[-Werror=date-time]") != std::string::npos)
     finding.hint("bounds are of one image, and one that holds the time of its compilation is another one each time");
   if (is_too_large_for_sram(result.output))
     finding.hint("with its code in flash, where it has more room: <param name=\"code\">flash</param> in <board>");

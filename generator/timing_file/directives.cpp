@@ -55,7 +55,7 @@ class DirectiveReader {
     if (word == "define")
       define(line);
     else if (word == "include" || word == "include_next" || word == "import")
-      include(line);
+      include(line, word == "include_next");
     else if (word == "if" || word == "elif")
       ask(line), found.asks_macro |= calls_macro(line);
   }
@@ -63,8 +63,8 @@ class DirectiveReader {
   Directives found;
 
  private:
-  void include(std::string_view operand) {
-    if (auto name = take_name(operand)) return found.names.push_back(std::move(*name));
+  void include(std::string_view operand, bool is_next) {
+    if (auto name = take_name(operand)) return add(std::move(*name), is_next);
     const std::string_view macro = take_word(operand);
     found.computed.emplace_back(is_blank(operand) ? macro : std::string_view());
   }
@@ -85,8 +85,8 @@ class DirectiveReader {
     constexpr std::string_view kAsks = "__has_include";
     for (std::size_t at = condition.find(kAsks); at != std::string_view::npos; at = condition.find(kAsks, at + 1)) {
       std::string_view rest = condition.substr(at);
-      take_word(rest);
-      if (!is_asked_whether_defined(condition.substr(0, at))) ask_for(rest);
+      const bool is_next = take_word(rest) == "__has_include_next";
+      if (!is_asked_whether_defined(condition.substr(0, at))) ask_for(rest, is_next);
     }
   }
 
@@ -112,11 +112,16 @@ class DirectiveReader {
     return before.size() >= kDefined.size() && before.substr(before.size() - kDefined.size()) == kDefined;
   }
 
-  void ask_for(std::string_view operand) {
+  void add(FileName name, bool is_next) {
+    name.is_next = is_next;
+    found.names.push_back(std::move(name));
+  }
+
+  void ask_for(std::string_view operand, bool is_next) {
     skip_blanks(operand);
     if (!operand.empty() && operand.front() == '(') operand.remove_prefix(1);
     if (auto name = take_name(operand))
-      found.names.push_back(std::move(*name));
+      add(std::move(*name), is_next);
     else
       found.asks_for_any = true;
   }

@@ -14,6 +14,7 @@ struct FileName {
   std::string text;
   bool is_quoted = false;  ///< else it is in brackets, and is not looked for beside the file
   bool is_raw = false;     ///< an assembler reads it, byte by byte
+  bool is_next = false;    ///< any of that name, and not only the first that is found
 };
 
 /// No `#if` is evaluated: what a compiler leaves out counts as well.

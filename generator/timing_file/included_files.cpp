@@ -10,6 +10,7 @@
 
 #include "generator/output/manifest.hpp"
 #include "generator/timing_file/directives.hpp"
+#include "generator/timing_file/standard_headers.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -43,7 +44,7 @@ class Search {
  public:
   Search(const std::vector<SourceText>& sources, const std::vector<std::string>& folders, const files::Access& access)
       : folders_(folders), access_(access) {
-    for (const SourceText& source : sources) seen_.insert(real(source.path));
+    for (const SourceText& source : sources) seen_.insert(place(source.path));
   }
 
   void look_through(const SourceText& source) {
@@ -61,6 +62,14 @@ class Search {
   /// Files that others have under names of their own, and that are found before those.
   void look_for_names_of(const SourceText& shipped) {
     for (const FileName& name : directives_of(shipped.text).names) find(name, {});
+  }
+
+  /// The same of headers of the compiler, which include others of these.
+  void look_for_standard_names() {
+    for (const std::string_view name : kStandardHeaders) find({std::string(name), false, false, true}, {});
+    for (const std::string& folder : folders_) {
+      for (const std::string_view below : kStandardFolders) take_all_in(fs::path(folder) / below, Any::source);
+    }
   }
 
   /// What macros make names of, once all of them are known: what they say, beside the line that includes it, too, or it
@@ -90,13 +99,21 @@ class Search {
     return fs::weakly_canonical(path, ignored).generic_string();
   }
 
+  /// A file, and where a link has it: the compiler looks for others beside that.
+  static std::pair<std::string, std::string> place(const fs::path& path) {
+    return {real(path), real(path.parent_path())};
+  }
+
   void find(const FileName& name, const fs::path& by) {
     const std::string folder_of = by.parent_path().generic_string();
     const bool is_new = asked_.emplace(name.text, name.is_quoted ? folder_of : std::string()).second;
-    if (!is_new && !name.is_raw) return;
-    if (name.is_quoted && !by.empty() && take(name.text, by.parent_path() / name.text, name.is_raw)) return;
+    if (!is_new && !name.is_raw && !name.is_next) return;
+    const auto take_in = [&](const fs::path& folder) {
+      return take(name.text, folder / name.text, name.is_raw) && !name.is_next;
+    };
+    if (name.is_quoted && !by.empty() && take_in(by.parent_path())) return;
     for (const std::string& folder : folders_) {
-      if (take(name.text, fs::path(folder) / name.text, name.is_raw)) return;
+      if (take_in(folder)) return;
     }
   }
 
@@ -132,9 +149,8 @@ class Search {
   /// False: there is no such file.
   bool take(const std::string& name, const fs::path& path, bool is_raw) {
     if (access_.why_not(path.string())) return false;
-    const std::string file = real(path);
-    if (is_raw) raw_.insert(file);
-    if (!seen_.insert(file).second) return true;
+    if (is_raw) raw_.insert(real(path));
+    if (!seen_.insert(place(path)).second) return true;
     if (found_.size() == kMostFiles) {
       found_.back().is_whole = false;
       return true;
@@ -142,12 +158,22 @@ class Search {
     auto text = access_.read(path.string(), kMostBytes);
     const bool is_whole = text.has_value();
     found_.push_back({name, path.string(), std::move(text).value_or(std::string()), false, is_whole});
+    if (!is_raw) take_compiled(name, path);
     return true;
+  }
+
+  /// What the compiler reads in place of a header: one file of that name, or any in a folder of it.
+  void take_compiled(const std::string& name, const fs::path& path) {
+    constexpr const char* kEnding = ".gch";
+    const fs::path compiled = path.string() + kEnding;
+    if (access_.holds_folder(compiled.string())) return take_all_in(compiled, Any::raw);
+    take(name + kEnding, compiled, true);
   }
 
   const std::vector<std::string>& folders_;
   const files::Access& access_;
-  std::set<std::string> seen_, raw_;
+  std::set<std::pair<std::string, std::string>> seen_;
+  std::set<std::string> raw_;
   std::set<std::pair<std::string, Any>> looked_through_;
   std::set<std::pair<std::string, std::string>> asked_;  ///< names, and the folders of those who ask
   std::vector<std::pair<std::string, fs::path>> computed_;
@@ -171,6 +197,7 @@ std::vector<SourceText> included_files(const std::vector<SourceText>& sources, c
                                        const std::vector<std::string>& folders, const files::Access& access) {
   Search search(sources, folders, access);
   for (const SourceText& source : shipped) search.look_for_names_of(source);
+  search.look_for_standard_names();
   for (const SourceText& source : sources) search.look_through(source);
   for (std::size_t i = 0;; ++i) {
     if (i == search.found().size()) search.take_computed();

@@ -200,8 +200,9 @@ class Walker {
                                const ProgramFunction* caller) {
     const ProgramFunction* function = context_.program.at(address);
     if (function == nullptr) return fail(from, caller, "a call of what is no function"), std::nullopt;
-    if (chain_.has(function) || chain_.depth() == kDeepestCalls)
-      return fail(from, caller, "recursion: it has no bound"), std::nullopt;
+    if (chain_.has(function)) return fail(from, caller, "recursion: it has no bound"), std::nullopt;
+    if (chain_.depth() == kDeepestCalls)
+      return fail(from, caller, fmt::format("more than {} calls in each other", kDeepestCalls)), std::nullopt;
     chain_.enter(function, from);
     auto end = go_through(*function, std::move(arrival));
     chain_.leave();

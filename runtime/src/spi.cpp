@@ -2,7 +2,9 @@
 
 #include "finemote/fault.hpp"
 #include "finemote/mark.hpp"
+#include "finemote/only_after_fault.hpp"
 #include "finemote/raised_by.hpp"
+#include "start.hpp"
 
 namespace finemote {
 
@@ -72,6 +74,10 @@ void SpiBus::finish(SlotState result) {
 
 void SpiBus::supervise() {
   const MarkedWork<Work::supervise_spi> marked;
+  if (detail::has_stopped()) {  // it may have cut off whoever had queued something, and not asked for it
+    only_after_fault();
+    port_->pend();
+  }
   const std::uint32_t unit = unit_.load();
   const std::uint16_t moved = port_->moved();
   const Time deadline = deadline_;

@@ -59,7 +59,8 @@ class I2cSlot {
   [[nodiscard]] bool unreachable() const { return failures_.load() >= kUnreachableAfter; }
 
   /// The write that makes this device's outputs safe. From now on it is what the bus sends first after every recovery,
-  /// before any other transfer, and again and again once the robot has stopped. The bytes are read when it is sent; size 0 takes it back.
+  /// before any other transfer, and again and again once the robot has stopped. The bytes are read when it is sent;
+  /// size 0 takes it back.
   void set_safe(const std::uint8_t* write, std::size_t size);
 
   /// Times the safe write has been sent and acknowledged; wraps. Context: any.
@@ -172,7 +173,7 @@ class I2cBus {
   Shared<std::uint32_t> unit_{0};     ///< begins and ends of units: odd while one is on the wire
   Shared<std::uint32_t> overdue_{0};  ///< the unit supervise() wants ended
   Shared<Mode> mode_{Mode::kOff};
-  bool is_stopped_ = false;  ///< what was queued by then has failed
+  bool is_stopped_ = false;         ///< what was queued by then has failed
   std::uint8_t recovery_step_ = 0;  ///< only supervise() writes it
   std::uint8_t retry_wait_ = 0;     ///< calls of supervise() until a stuck bus is tried again
   BusCounters counters_;
