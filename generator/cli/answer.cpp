@@ -23,7 +23,7 @@ bool use_color(ColorMode color) {
 std::string json_text(Answer& answer, const Diagnostics& findings) {
   if (answer.document.is_null()) return answer.text;
   answer.document["diagnostics"] = render_json(findings);
-  return answer.document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return answer.document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace

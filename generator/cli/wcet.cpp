@@ -58,7 +58,8 @@ Answer answer_of(const Options& options, const TimedRobot& timed, Diagnostics& d
   }
   nlohmann::ordered_json document = wcet_document(timed);
   if (!options.out.empty() &&
-      !write_result(options.out, document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", diagnostics))
+      !write_result(options.out, document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
+                    diagnostics))
     return no_answer();
   return {status, wcet_text(timed), std::move(document)};
 }
