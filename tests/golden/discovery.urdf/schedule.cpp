@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 260171, finemote::kNothingToBound, nullptr},  // imu
-    {1, 556425, finemote::kNothingToBound, nullptr},  // depth
-    {1, 553725, finemote::kNothingToBound, nullptr},  // button
-    {1, 550827, 24123923, &station::servo.command},  // servo
-    {1, 546091, 24119187, &station::green_led.command},  // green_led
-    {1, 539984, 24113081, &station::blue_led.command},  // blue_led
-    {1, 534004, finemote::kNothingToBound, nullptr},  // station
+    {0, 259837, finemote::kNothingToBound, nullptr},  // imu
+    {1, 556152, finemote::kNothingToBound, nullptr},  // depth
+    {1, 553320, finemote::kNothingToBound, nullptr},  // button
+    {1, 550554, 24123650, &station::servo.command},  // servo
+    {1, 545818, 24118914, &station::green_led.command},  // green_led
+    {1, 539711, 24112808, &station::blue_led.command},  // blue_led
+    {1, 533731, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 254.704 us of its release.
+/// a job ends within 254.359 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 532.145 us of its release.
+/// a job ends within 532.759 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{254704, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{525596, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{525596, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{525596, 24111791, 24206660};
-inline constexpr finemote::Bounds green_led{523560, 24109755, 24206660};
-inline constexpr finemote::Bounds blue_led{520154, 24106414, 24206594};
-inline constexpr finemote::Bounds station{516873, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{254359, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{525311, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{525311, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{525311, 24111506, 24207142};
+inline constexpr finemote::Bounds green_led{523275, 24109470, 24207142};
+inline constexpr finemote::Bounds blue_led{519868, 24106129, 24207076};
+inline constexpr finemote::Bounds station{516588, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 380171, finemote::kNothingToBound, nullptr},  // imu
-    {1, 959505, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 956805, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 954039, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 943245, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 940545, 31254087, &rov::thruster_1.command},  // thruster_1
-    {1, 935986, 31249529, &rov::thruster_2.command},  // thruster_2
-    {1, 931362, 31242307, &rov::thruster_3.command},  // thruster_3
-    {1, 926804, 31237677, &rov::thruster_4.command},  // thruster_4
-    {1, 919576, 31233113, &rov::thruster_5.command},  // thruster_5
-    {1, 915024, 31228561, &rov::thruster_6.command},  // thruster_6
-    {1, 910400, 31221339, &rov::thruster_7.command},  // thruster_7
-    {1, 905842, 31211290, &rov::thruster_8.command},  // thruster_8
-    {1, 898620, finemote::kNothingToBound, nullptr},  // rov
+    {0, 379944, finemote::kNothingToBound, nullptr},  // imu
+    {1, 959946, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 957246, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 954480, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 943686, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 940986, 31254528, &rov::thruster_1.command},  // thruster_1
+    {1, 936427, 31249970, &rov::thruster_2.command},  // thruster_2
+    {1, 931803, 31242748, &rov::thruster_3.command},  // thruster_3
+    {1, 927245, 31238184, &rov::thruster_4.command},  // thruster_4
+    {1, 920018, 31233554, &rov::thruster_5.command},  // thruster_5
+    {1, 915465, 31229002, &rov::thruster_6.command},  // thruster_6
+    {1, 910841, 31221780, &rov::thruster_7.command},  // thruster_7
+    {1, 906283, 31211731, &rov::thruster_8.command},  // thruster_8
+    {1, 899061, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 374.77 us of its release.
+/// a job ends within 374.424 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 888.73 us of its release.
+/// a job ends within 889.051 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{374770, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{888218, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{888218, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{888218, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{888218, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{888218, 31192531, 34971640};
-inline constexpr finemote::Bounds thruster_2{886360, 31190608, 34971576};
-inline constexpr finemote::Bounds thruster_3{884502, 31188749, 34971575};
-inline constexpr finemote::Bounds thruster_4{882644, 31184294, 34984840};
-inline constexpr finemote::Bounds thruster_5{880714, 31182430, 34984840};
-inline constexpr finemote::Bounds thruster_6{876264, 31180578, 34984840};
-inline constexpr finemote::Bounds thruster_7{874406, 31178654, 34984840};
-inline constexpr finemote::Bounds thruster_8{872548, 31176796, 34984840};
-inline constexpr finemote::Bounds rov{870690, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{374424, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{888539, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{888539, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{888539, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{888539, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{888539, 31192853, 34922883};
+inline constexpr finemote::Bounds thruster_2{886681, 31190994, 34922882};
+inline constexpr finemote::Bounds thruster_3{884823, 31189071, 34922817};
+inline constexpr finemote::Bounds thruster_4{882965, 31184615, 34936081};
+inline constexpr finemote::Bounds thruster_5{881035, 31182751, 34936081};
+inline constexpr finemote::Bounds thruster_6{876585, 31180899, 34936081};
+inline constexpr finemote::Bounds thruster_7{874727, 31178975, 34936081};
+inline constexpr finemote::Bounds thruster_8{872869, 31177117, 34936081};
+inline constexpr finemote::Bounds rov{871011, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV
