@@ -1,5 +1,6 @@
 // <base>.timing.json: written by wcet, taken by every command that analyses, and told from one that is out of date.
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
@@ -204,6 +205,34 @@ TEST_CASE("a file that stands in for a header of finemote makes a timing file st
   const OneRobot one;
   write_file(one.path("devices/finemote/schedule.hpp"), "#include_next <finemote/schedule.hpp>\n");
   CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
+}
+
+TEST_CASE("a file that comes to stand in another's place makes a timing file stale") {
+  const char* const kPlaces[] = {
+      "devices/string.h",         // which <cstring> includes
+      "devices/sys/cdefs.h",      // and that one
+      "devices/body.hpp.gch",     // in place of body.hpp
+      "devices/body.hpp.gch/x",   // the same
+      "devices/right/rates.inc",  // beside the second name of a file
+  };
+  for (const std::string place : kPlaces) {
+    CAPTURE(place);
+    const OneRobot one;
+    const std::string source = read_file(one.path("devices/counter.hpp"));
+    write_file(one.path("devices/counter.hpp"),
+               "#include <cstring>\n#include \"body.hpp\"\n#include \"left/asks.hpp\"\n#include \"right/asks.hpp\"\n" +
+                   source);
+    write_file(one.path("devices/body.hpp"), "// nothing\n");
+    write_file(one.path("common/asks.hpp"), "#if __has_include(\"rates.inc\")\n#endif\n");
+    for (const char* side : {"left", "right"}) {
+      std::filesystem::create_directories(one.path(std::string("devices/") + side));
+      std::filesystem::create_symlink("../../common/asks.hpp", one.path(std::string("devices/") + side + "/asks.hpp"));
+    }
+    REQUIRE(run_finemote({"wcet", one.robot(), "-o", one.timing_file()}).exit_status == 0);
+    CHECK(told_by({"analyze", one.robot(), "--require-static"}).status == 0);
+    write_file(one.path(place), "// there\n");
+    CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
+  }
 }
 
 TEST_CASE("what an assembler reads is an input of a timing file byte by byte") {
