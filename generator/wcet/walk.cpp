@@ -22,6 +22,7 @@ namespace {
 /// Where a walk gives up: no routine that must end in a period is longer.
 constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::size_t kDeepestCalls = 64;
+constexpr const char* kTooDeep = "more than 64 calls in each other";
 /// A tenth of a second: longer ones are none of a routine that has a period.
 constexpr Cycles kLongestWait = 16'800'000;
 /// What is in the link register where a routine begins: ARMv7-M B1.5.8.
@@ -201,8 +202,7 @@ class Walker {
     const ProgramFunction* function = context_.program.at(address);
     if (function == nullptr) return fail(from, caller, "a call of what is no function"), std::nullopt;
     if (chain_.has(function)) return fail(from, caller, "recursion: it has no bound"), std::nullopt;
-    if (chain_.depth() == kDeepestCalls)
-      return fail(from, caller, fmt::format("more than {} calls in each other", kDeepestCalls)), std::nullopt;
+    if (chain_.depth() == kDeepestCalls) return fail(from, caller, kTooDeep), std::nullopt;
     chain_.enter(function, from);
     auto end = go_through(*function, std::move(arrival));
     chain_.leave();
