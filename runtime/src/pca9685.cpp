@@ -46,7 +46,6 @@ void Pca9685::flush() {
     // We preempt a flush: it takes our changes along, or the next one does. Once the robot has stopped none goes on,
     // and the safe outputs must not wait for one that was cut off.
     if (!detail::has_stopped()) return;
-    only_after_fault();
   }
   work();
   busy_.store(false);

@@ -41,7 +41,6 @@ void Rs485::start() {
 void Rs485::carry_on() {
   if (busy_.exchange(true)) {
     if (!detail::has_stopped()) return;  // whom we preempt goes on, but for who was cut off by a stop
-    only_after_fault();
   }
   if (active_ != nullptr) take_reply();
   if (active_ == nullptr) pick();
