@@ -19,6 +19,6 @@ TEST_CASE("a schedule without a short hyperperiod runs on QEMU as on the host") 
     INFO("event " << i << " at " << host[i].at << " ns on the host, " << run.events[i].ns << " ns on QEMU");
     REQUIRE(run.events[i].stage == host[i].stage);
     REQUIRE(run.events[i].end == host[i].end);
-    REQUIRE(std::abs(run.events[i].ns - host[i].at) < 30 * finemote::kMicrosecond);
+    REQUIRE(std::abs(run.events[i].ns - host[i].at) < 32 * finemote::kMicrosecond);
   }
 }
