@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 518563, finemote::kNothingToBound, nullptr},  // remote
-    {0, 156563, 16157363, &walker::hip_left.command},  // hip-left
-    {0, 142946, 16143746, &walker::knee_left.command},  // knee-left
-    {1, 250810, 12251410, &walker::leg_left.command},  // leg-left
-    {0, 129328, 16130128, &walker::hip_right.command},  // hip-right
-    {0, 115710, 16116510, &walker::knee_right.command},  // knee-right
-    {1, 246395, 12246995, &walker::leg_right.command},  // leg-right
-    {1, 243010, 12243610, &walker::front.command},  // front
-    {0, 102093, 12102693, &walker::tilt.command},  // tilt
-    {2, 509029, 2414882, &walker::body.command},  // body
-    {2, 505638, finemote::kNothingToBound, nullptr},  // walker
-    {2, 441725, 10442225, &gripper::finger.command},  // finger
-    {1, 213521, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 518463, finemote::kNothingToBound, nullptr},  // remote
+    {0, 156463, 16157263, &walker::hip_left.command},  // hip-left
+    {0, 142846, 16143646, &walker::knee_left.command},  // knee-left
+    {1, 250710, 12251310, &walker::leg_left.command},  // leg-left
+    {0, 129228, 16130028, &walker::hip_right.command},  // hip-right
+    {0, 115610, 16116410, &walker::knee_right.command},  // knee-right
+    {1, 246295, 12246895, &walker::leg_right.command},  // leg-right
+    {1, 242910, 12243510, &walker::front.command},  // front
+    {0, 101993, 12102593, &walker::tilt.command},  // tilt
+    {2, 508929, 2414782, &walker::body.command},  // body
+    {2, 505538, finemote::kNothingToBound, nullptr},  // walker
+    {2, 441625, 10442125, &gripper::finger.command},  // finger
+    {1, 213421, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 259837, finemote::kNothingToBound, nullptr},  // imu
-    {1, 556152, finemote::kNothingToBound, nullptr},  // depth
-    {1, 553320, finemote::kNothingToBound, nullptr},  // button
-    {1, 550554, 24123650, &station::servo.command},  // servo
-    {1, 545818, 24118914, &station::green_led.command},  // green_led
-    {1, 539711, 24112808, &station::blue_led.command},  // blue_led
-    {1, 533731, finemote::kNothingToBound, nullptr},  // station
+    {0, 259825, finemote::kNothingToBound, nullptr},  // imu
+    {1, 556140, finemote::kNothingToBound, nullptr},  // depth
+    {1, 553308, finemote::kNothingToBound, nullptr},  // button
+    {1, 550542, 24123638, &station::servo.command},  // servo
+    {1, 545806, 24118902, &station::green_led.command},  // green_led
+    {1, 539699, 24112796, &station::blue_led.command},  // blue_led
+    {1, 533719, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 379944, finemote::kNothingToBound, nullptr},  // imu
-    {1, 959946, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 957246, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 954480, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 943686, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 940986, 31254528, &rov::thruster_1.command},  // thruster_1
-    {1, 936427, 31249970, &rov::thruster_2.command},  // thruster_2
-    {1, 931803, 31242748, &rov::thruster_3.command},  // thruster_3
-    {1, 927245, 31238184, &rov::thruster_4.command},  // thruster_4
-    {1, 920018, 31233554, &rov::thruster_5.command},  // thruster_5
-    {1, 915465, 31229002, &rov::thruster_6.command},  // thruster_6
-    {1, 910841, 31221780, &rov::thruster_7.command},  // thruster_7
-    {1, 906283, 31211731, &rov::thruster_8.command},  // thruster_8
-    {1, 899061, finemote::kNothingToBound, nullptr},  // rov
+    {0, 379844, finemote::kNothingToBound, nullptr},  // imu
+    {1, 959846, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 957146, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 954380, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 943586, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 940886, 31254428, &rov::thruster_1.command},  // thruster_1
+    {1, 936327, 31249870, &rov::thruster_2.command},  // thruster_2
+    {1, 931703, 31242648, &rov::thruster_3.command},  // thruster_3
+    {1, 927145, 31238084, &rov::thruster_4.command},  // thruster_4
+    {1, 919917, 31233454, &rov::thruster_5.command},  // thruster_5
+    {1, 915365, 31228902, &rov::thruster_6.command},  // thruster_6
+    {1, 910741, 31221680, &rov::thruster_7.command},  // thruster_7
+    {1, 906183, 31211631, &rov::thruster_8.command},  // thruster_8
+    {1, 898961, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 1034407, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 885875, 29706163, &arm::base.command},  // base
-    {0, 776454, 29596742, &arm::shoulder.command},  // shoulder
-    {0, 666962, 29487250, &arm::elbow.command},  // elbow
-    {0, 526472, 29346760, &arm::wrist_roll.command},  // wrist_roll
-    {0, 399670, 29219959, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 272809, 29093097, &arm::flange.command},  // flange
-    {0, 193318, finemote::kNothingToBound, nullptr},  // arm
+    {1, 1034395, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 885863, 29706139, &arm::base.command},  // base
+    {0, 776442, 29596718, &arm::shoulder.command},  // shoulder
+    {0, 666950, 29487226, &arm::elbow.command},  // elbow
+    {0, 526460, 29346736, &arm::wrist_roll.command},  // wrist_roll
+    {0, 399658, 29219935, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 272797, 29093073, &arm::flange.command},  // flange
+    {0, 193306, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -48,9 +48,9 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 43448, finemote::kNothingToBound, nullptr},  // line
-    {0, 40748, 37881, &follower::drive.command},  // drive
-    {0, 27368, finemote::kNothingToBound, nullptr},  // follower
+    {0, 43348, finemote::kNothingToBound, nullptr},  // line
+    {0, 40648, 37881, &follower::drive.command},  // drive
+    {0, 27268, finemote::kNothingToBound, nullptr},  // follower
 };
 
 }  // namespace
