@@ -1,7 +1,5 @@
 #include "finemote/pca9685.hpp"
 
-#include <cstring>
-
 #include "finemote/mark.hpp"
 #include "finemote/only_after_fault.hpp"
 #include "start.hpp"
@@ -190,7 +188,10 @@ void Pca9685::put(std::uint8_t* at, std::uint32_t pulse) const {
 /// The present one. What has no safe one, and lies between channels that have, keeps it where the safe ones are sent.
 void Pca9685::put_pulse(unsigned channel, std::uint8_t* at) {
   put(at, channel_[channel].pulse.load());
-  if ((kept_ >> channel & 1U) != 0) std::memcpy(safe_image_ + 1 + 4 * (channel - safe_first_), at, 4);
+  if ((kept_ >> channel & 1U) == 0) return;
+  std::uint8_t* const kept = safe_image_ + 1 + 4 * (channel - safe_first_);
+  kept[2] = at[2];  // the others are 0 in both
+  kept[3] = at[3];
 }
 
 void Pca9685::build_safe() {
