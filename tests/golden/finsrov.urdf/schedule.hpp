@@ -13,7 +13,7 @@ namespace FinsROV {
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 975.23 us of its release.
+/// a job ends within 944.031 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -27,14 +27,14 @@ inline constexpr finemote::Bounds baro_1{888539, finemote::kNothingToBound, fine
 inline constexpr finemote::Bounds baro_2{888539, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds baro_3{888539, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds baro_4{888539, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{888539, 31192853, 35053919};
-inline constexpr finemote::Bounds thruster_2{886681, 31190994, 35075277};
-inline constexpr finemote::Bounds thruster_3{884823, 31189071, 35075212};
-inline constexpr finemote::Bounds thruster_4{882965, 31184615, 35072614};
-inline constexpr finemote::Bounds thruster_5{881035, 31182751, 35072614};
-inline constexpr finemote::Bounds thruster_6{876585, 31180899, 35072614};
-inline constexpr finemote::Bounds thruster_7{874727, 31178975, 35072548};
-inline constexpr finemote::Bounds thruster_8{872869, 31177117, 35072614};
+inline constexpr finemote::Bounds thruster_1{888539, 31192853, 35030813};
+inline constexpr finemote::Bounds thruster_2{886681, 31190994, 35030812};
+inline constexpr finemote::Bounds thruster_3{884823, 31189071, 35030814};
+inline constexpr finemote::Bounds thruster_4{882965, 31184615, 35028216};
+inline constexpr finemote::Bounds thruster_5{881035, 31182751, 35028216};
+inline constexpr finemote::Bounds thruster_6{876585, 31180899, 35028216};
+inline constexpr finemote::Bounds thruster_7{874727, 31178975, 35028150};
+inline constexpr finemote::Bounds thruster_8{872869, 31177117, 35028150};
 inline constexpr finemote::Bounds rov{871011, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
