@@ -186,7 +186,7 @@ void Pca9685::put(std::uint8_t* at, std::uint32_t pulse) const {
 }
 
 /// The present one. What has no safe one, and lies between channels that have, keeps it where the safe ones are sent.
-void Pca9685::put_pulse(unsigned channel, std::uint8_t* at) {
+[[gnu::always_inline]] inline void Pca9685::put_pulse(unsigned channel, std::uint8_t* at) {
   put(at, channel_[channel].pulse.load());
   if ((kept_ >> channel & 1U) == 0) return;
   std::uint8_t* const kept = safe_image_ + 1 + 4 * (channel - safe_first_);
