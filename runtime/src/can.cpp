@@ -27,9 +27,6 @@ unsigned lowest(std::uint32_t bits) { return static_cast<unsigned>(__builtin_ctz
 /// 128 sequences of eleven recessive bits: ISO 11898-1.
 constexpr std::int64_t kRecoveryBits = 128 * 11;
 
-/// What a shared frame has in it that drives nothing.
-constexpr std::uint8_t kZeros[8] = {};
-
 /// How long the controller may take until it begins with that; ST's drivers allow as much.
 constexpr Duration kLongestPreparation = 10 * kMillisecond;
 
@@ -216,10 +213,13 @@ bool CanBus::set_shared(const CanSlot& slot, const std::uint8_t* bytes) {
   // supervise() may clear the frame in between: what it left of the bytes is written once more.
   for (int attempt = 0; attempt < 2; ++attempt) {
     const std::uint8_t cleared = group->cleared.load();
-    const bool is_silent = (silent_groups_.load() & own) != 0;
-    write(*group, share, is_silent ? kZeros : bytes);
+    write(*group, share, bytes);
     if (group->cleared.load() == cleared) break;
     only_after_fault();
+  }
+  if ((silent_groups_.load() & own) != 0) {
+    only_after_fault();
+    for (std::uint8_t& byte : group->frame.data) byte = 0;
   }
   group->priority.store(slot.priority_);
   group->changed.store(true);
