@@ -96,7 +96,8 @@ struct Probe {
     return *reinterpret_cast<volatile std::uint32_t*>(address);
   }
   static void spin(int turns) {
-    asm volatile(".p2align 4");  // the loop lies in one line of the flash accelerator, wherever the image has it
+    // Wherever the image has it, the loop crosses from one line of the flash accelerator to the next.
+    asm volatile(".p2align 4\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop");
     for (int i = 0; i < turns; ++i) asm volatile("" ::: "memory");
   }
   void update() {
