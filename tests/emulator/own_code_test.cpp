@@ -99,8 +99,10 @@ TEST_CASE("flash-write: a programmed word takes time, and nobody notices") {
 
 TEST_CASE(
     "flash: what is missed takes longer than was declared, which a run sees and the monitor where a job is late") {
-  const std::string update = "if (count % 2 == 0) { spin(9000); } else { spin(8000); spin(999); }";
-  const ProbeRobot in_flash(update, 1'200'000, kUrgentDevice, "flash"), in_sram(update, 1'200'000, kUrgentDevice);
+  const std::string update = "if (count % 2 == 0) { spin(3000); } else { spin(2000); spin(999); }";
+  const std::string roomy = R"(<device name="urgent" type="sim_load" period="1ms">
+  <param name="update">20us</param> <param name="handle">5us</param> <wcet update="100us" handle="30us"/></device>)";
+  const ProbeRobot in_flash(update, 400'000, roomy, "flash"), in_sram(update, 400'000, roomy);
   const auto hit = in_flash.run(), miss = in_flash.run({"--flash", "miss"});
   CHECK(hit.exit_status == 0);
   CHECK(miss.counts_nothing());

@@ -96,8 +96,6 @@ struct Probe {
     return *reinterpret_cast<volatile std::uint32_t*>(address);
   }
   static void spin(int turns) {
-    // Wherever the image has it, the loop crosses from one line of the flash accelerator to the next.
-    asm volatile(".p2align 4\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop\n\tnop");
     for (int i = 0; i < turns; ++i) asm volatile("" ::: "memory");
   }
   void update() {
