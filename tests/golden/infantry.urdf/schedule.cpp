@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 382646, finemote::kNothingToBound, nullptr},  // imu
-    {0, 376593, 28731764, &gimbal::yaw.command},  // yaw
-    {0, 249542, 28604713, &gimbal::pitch.command},  // pitch
-    {1, 405986, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 930073, 27285144, &chassis::front_left.command},  // front_left
-    {2, 813805, 27168876, &chassis::front_right.command},  // front_right
-    {2, 695441, 27050512, &chassis::rear_left.command},  // rear_left
-    {2, 577017, 26932088, &chassis::rear_right.command},  // rear_right
-    {2, 466408, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 1303357, finemote::kNothingToBound, nullptr},  // remote
+    {0, 196143, finemote::kNothingToBound, nullptr},  // imu
+    {0, 190091, 28545262, &gimbal::yaw.command},  // yaw
+    {0, 182724, 28537895, &gimbal::pitch.command},  // pitch
+    {1, 236858, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 310019, 26665090, &chassis::front_left.command},  // front_left
+    {2, 302908, 26657979, &chassis::front_right.command},  // front_right
+    {2, 295724, 26650795, &chassis::rear_left.command},  // rear_left
+    {2, 288613, 26643684, &chassis::rear_right.command},  // rear_right
+    {2, 281496, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 390954, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

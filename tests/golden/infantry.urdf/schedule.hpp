@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 373.207 us of its release.
+/// a job ends within 186.705 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 387.319 us of its release.
+/// a job ends within 200.883 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 891.989 us of its release.
+/// a job ends within 271.869 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 948.631 us of its release.
+/// a job ends within 345.952 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{369445, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{366093, 28721264, 29078996};
-inline constexpr finemote::Bounds pitch{241742, 28596913, 29102476};
-inline constexpr finemote::Bounds gimbal{387319, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{890405, 27245476, 27905089};
-inline constexpr finemote::Bounds front_right{776837, 27131908, 27968141};
-inline constexpr finemote::Bounds rear_left{659083, 27014154, 27966051};
-inline constexpr finemote::Bounds rear_right{491401, 26846472, 27619063};
-inline constexpr finemote::Bounds chassis{421822, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{948631, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{182943, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{179590, 28534762, 28892494};
+inline constexpr finemote::Bounds pitch{174923, 28530094, 28892494};
+inline constexpr finemote::Bounds gimbal{200883, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{270351, 26625422, 27027246};
+inline constexpr finemote::Bounds front_right{265940, 26621011, 27027246};
+inline constexpr finemote::Bounds rear_left{261523, 26616594, 27027246};
+inline constexpr finemote::Bounds rear_right{257111, 26612182, 27027245};
+inline constexpr finemote::Bounds chassis{252694, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{345952, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -73,13 +73,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 1034395, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 885863, 29706139, &arm::base.command},  // base
-    {0, 776442, 29596718, &arm::shoulder.command},  // shoulder
-    {0, 666950, 29487226, &arm::elbow.command},  // elbow
-    {0, 526460, 29346736, &arm::wrist_roll.command},  // wrist_roll
-    {0, 399658, 29219935, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 272797, 29093073, &arm::flange.command},  // flange
+    {1, 361661, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 258988, 29079264, &arm::base.command},  // base
+    {0, 251877, 29072153, &arm::shoulder.command},  // shoulder
+    {0, 244760, 29065036, &arm::elbow.command},  // elbow
+    {0, 237648, 29057924, &arm::wrist_roll.command},  // wrist_roll
+    {0, 213156, 29033432, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 206045, 29026321, &arm::flange.command},  // flange
     {0, 193306, finemote::kNothingToBound, nullptr},  // arm
 };
 
