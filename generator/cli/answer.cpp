@@ -23,10 +23,14 @@ bool use_color(ColorMode color) {
 std::string json_text(Answer& answer, const Diagnostics& findings) {
   if (answer.document.is_null()) return answer.text;
   answer.document["diagnostics"] = render_json(findings);
-  return answer.document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return document_text(answer.document);
 }
 
 }  // namespace
+
+std::string document_text(const nlohmann::ordered_json& document) {
+  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
 
 std::string render_for_ci(Format format, const Diagnostics& findings, const std::string& input) {
   switch (format) {

@@ -39,6 +39,9 @@ bool is_refused(const Options& options, const Diagnostics& findings);
 /// stand in its `diagnostics`, too.
 int finish(const Options& options, Answer answer, const Diagnostics& diagnostics, std::ostream& out, std::ostream& err);
 
+/// As every command writes one: what is no UTF-8, as a name of the user's may be, is replaced.
+std::string document_text(const nlohmann::ordered_json& document);
+
 /// The findings in the formats for editors and CI, `input` being what the command works on; empty for text and json.
 std::string render_for_ci(Format format, const Diagnostics& findings, const std::string& input);
 

@@ -57,10 +57,7 @@ Answer answer_of(const Options& options, const TimedRobot& timed, Diagnostics& d
     return text ? Answer{status, *text, wcet_document(timed)} : no_answer();
   }
   nlohmann::ordered_json document = wcet_document(timed);
-  if (!options.out.empty() &&
-      !write_result(options.out, document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
-                    diagnostics))
-    return no_answer();
+  if (!options.out.empty() && !write_result(options.out, document_text(document), diagnostics)) return no_answer();
   return {status, wcet_text(timed), std::move(document)};
 }
 

@@ -40,11 +40,9 @@ std::uint16_t Pca9685::counts(std::uint32_t pulse) const {
 
 void Pca9685::flush() {
   const MarkedWork<Work::flush_expander> marked;
-  if (busy_.exchange(true)) {
-    // We preempt a flush: it takes our changes along, or the next one does. Once the robot has stopped none goes on,
-    // and the safe outputs must not wait for one that was cut off.
-    if (!detail::has_stopped()) return;
-  }
+  // A flush that we preempt takes our changes along, or the next one does. Once the robot has stopped none goes on, and
+  // the safe outputs must not wait for one that was cut off.
+  if (busy_.exchange(true) && !detail::has_stopped()) return;
   work();
   busy_.store(false);
 }

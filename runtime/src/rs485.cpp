@@ -39,9 +39,7 @@ void Rs485::start() {
 }
 
 void Rs485::carry_on() {
-  if (busy_.exchange(true)) {
-    if (!detail::has_stopped()) return;  // whom we preempt goes on, but for who was cut off by a stop
-  }
+  if (busy_.exchange(true) && !detail::has_stopped()) return;  // whom we preempt goes on, unless a stop cut it off
   if (active_ != nullptr) take_reply();
   if (active_ == nullptr) pick();
   busy_.store(false);

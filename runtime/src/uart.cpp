@@ -124,7 +124,7 @@ Time Uart::arrival(std::size_t behind) const {
   const std::uint32_t position = read_ - static_cast<std::uint32_t>(behind);
   const bool tells_silence = port_->tells_silence_after(position);
   const UartIdle idle = port_->idle();
-  Time known = later(earliest(idle_, position), later(earliest(seen_, position), earliest(before_, position)));
+  const Time known = later(earliest(idle_, position), later(earliest(seen_, position), earliest(before_, position)));
   if (idle.received == position) return later(known, idle.at - wire_time(1));
   if (idle_.received == position) return later(known, idle_.at - wire_time(1));
   const std::uint32_t more = seen_.received - position;
