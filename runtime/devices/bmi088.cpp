@@ -52,6 +52,18 @@ constexpr float kGyroScale = 2000 * 0.01745329252F / 32768;  ///< rad/s
 /// What a read of the accelerometer brings is at most that old: 800 Hz, 5 % slow (data sheet 1.2, table 3).
 constexpr Duration kAccelAge = 1'313 * kMicrosecond;
 
+/// A step of the sensor time (data sheet 5.3.5).
+constexpr Duration kChipTimeStep = 39'063;
+/// How far the time between two reads may be from what passed there: the transfers wait for others.
+constexpr Duration kChipTimeSlack = 2 * kMillisecond;
+
+/// The sensor time goes on with that of the processor, give or take a quarter: it has not stood still, nor begun anew.
+bool went_on(std::uint32_t chip_time, std::uint32_t last, Duration passed) {
+  const std::uint32_t steps = (chip_time - last) & 0xFFFFFFU;
+  const Duration off = static_cast<Duration>(steps) * kChipTimeStep - passed;
+  return steps != 0 && (off < 0 ? -off : off) <= (passed >> 2U) + kChipTimeSlack;
+}
+
 }  // namespace
 
 void Bmi088::update() {
@@ -118,10 +130,8 @@ void Bmi088::start_reads() {
 
 void Bmi088::take_sample() {
   if (!started_) return;
-  const std::uint32_t chip_time = uint24_at(accel_in_ + kAccelTimeAt);
-  const bool good = accel_->done() && gyro_->done() && chip_time != chip_time_ && gyro_in_[kGyroIdAt] == kGyroId;
-  chip_time_ = chip_time;
   const Time ended = oldest(accel_->ended(), gyro_->ended());
+  const bool good = accel_->done() && gyro_->done() && gyro_in_[kGyroIdAt] == kGyroId && takes_chip_time();
   const bool edges = ready_ == nullptr || (edge_.count != 0 && ended - edge_.at <= kMaxEdgeAge);
   if (!good || !edges) return fail();
 
@@ -142,6 +152,15 @@ void Bmi088::take_sample() {
   state.yaw = attitude_.yaw();
   state.origin = ready_ != nullptr ? oldest(asked_ - kAccelAge, edge_.at) : asked_ - kAccelAge;
   state.valid = true;
+}
+
+/// Keeps the time of a read that was answered; false where the part has not measured since the one before.
+bool Bmi088::takes_chip_time() {
+  const std::uint32_t last = chip_time_;
+  const Duration passed = asked_ - chip_asked_;
+  chip_time_ = uint24_at(accel_in_ + kAccelTimeAt);
+  chip_asked_ = asked_;
+  return sampled_ == 0 ? chip_time_ != last : went_on(chip_time_, last, passed);
 }
 
 // --------------------------------------------------------------------------------------------------------------

@@ -26,10 +26,11 @@ void PwmEsc::safe() {
 std::uint32_t PwmEsc::pulse(float effort) const {
   const float way = reverse_ ? -effort : effort;
   if (way == 0) return static_cast<std::uint32_t>(neutral_);
-  const std::int32_t begin = way > 0 ? neutral_ + dead_zone_ : neutral_ - dead_zone_;
-  const std::int32_t end = way > 0 ? max_ : min_;
+  const std::int32_t range = way > 0 ? max_ - neutral_ : neutral_ - min_;
+  const std::int32_t least = dead_zone_ < range ? dead_zone_ : range;
   const float share = way > 0 ? way : -way;
-  return static_cast<std::uint32_t>(begin + static_cast<std::int32_t>(share * static_cast<float>(end - begin)));
+  const std::int32_t off = least + static_cast<std::int32_t>(share * static_cast<float>(range - least));
+  return static_cast<std::uint32_t>(way > 0 ? neutral_ + off : neutral_ - off);
 }
 
 }  // namespace finemote

@@ -114,6 +114,33 @@ TEST_CASE_METHOD(Fixture, "a part that stands still or goes away is invalid at t
   CHECK(accel.written.size() >= 9);
 }
 
+TEST_CASE_METHOD(Fixture,
+                 "a part that lost its power is not valid before it is set up again, however slowly it is read") {
+  const bool is_seen_missing = GENERATE(true, false);
+  int updates = 0;
+  bench::robot().fast = [this, &updates] {
+    bus.supervise();
+    if (++updates % 10 == 0) imu.update();  // every 50 ms
+  };
+  std::size_t written = 0;
+  bool was_wrong = false;
+  bench::at(5001 * kMillisecond, [&] {
+    CHECK(imu.state.valid);
+    accel.frozen = true;
+    accel.reset();  // suspended: its time stands at 0
+    accel.missing = gyro.missing = is_seen_missing;
+    written = accel.written.size();
+  });
+  bench::at(5052 * kMillisecond, [&] { accel.missing = gyro.missing = false; });
+  for (int ms = 5103; ms < 6500; ms += 10)  // what was read before is valid until then
+    bench::at(ms * kMillisecond, [&] { was_wrong |= imu.state.valid && accel.written.size() < written + 5; });
+  bench::at(5400 * kMillisecond, [&] { accel.frozen = false; });
+  bench::run(8 * kSecond);
+  CHECK_FALSE(was_wrong);
+  CHECK(accel.written.size() >= written + 5);
+  CHECK(imu.state.valid);
+}
+
 namespace {
 
 /// The part on its heater: warms by so many kelvin a second at full power, and loses to an environment of 25 degrees.

@@ -48,6 +48,15 @@ TEST_CASE_METHOD(Fixture, "efforts become pulses") {
   CHECK(drive(dead, -0.001F) == Approx(1559540).margin(2));
 }
 
+TEST_CASE_METHOD(Fixture, "a dead zone wider than the range of pulses ends with it") {
+  PwmEsc narrow{{1500000, 1480000, 1550000, false, 100000000, 200000}, {bus, 0}};
+  for (const float effort : {0.01F, 0.3F, 1.0F}) {
+    CHECK(drive(narrow, effort) == 1550000);
+    CHECK(drive(narrow, -effort) == 1480000);
+    CHECK(drive(narrow, 0) == 1500000);
+  }
+}
+
 TEST_CASE_METHOD(Fixture, "old, invalid and impossible commands are neutral") {
   CHECK(drive(esc, 1, 100 * kMillisecond) == 1900000);
   CHECK(drive(esc, 1, 100 * kMillisecond + 1) == 1500000);

@@ -67,6 +67,7 @@ class Bmi088 {
   void set_up();
   void check();
   void take_sample();
+  [[nodiscard]] bool takes_chip_time();
   void take_temperature(Time at);
   void start_reads();
   void fail();
@@ -90,7 +91,8 @@ class Bmi088 {
   bool started_ = false;
   Time wait_until_ = 0;
   Time sampled_ = 0;
-  std::uint32_t chip_time_ = 0;
+  std::uint32_t chip_time_ = 0;  ///< of the last read that was answered
+  Time chip_asked_ = 0;          ///< when that was begun
   AttitudeFilter attitude_;
   alignas(std::uint32_t) std::uint8_t accel_out_[20]{};  // aligned: copied by words
   alignas(std::uint32_t) std::uint8_t accel_in_[20]{};
