@@ -224,9 +224,50 @@ void multiply_and(const Instruction& i, Value (*combine)(Value, Value), Machine&
   machine.set(i.operands[0].reg, combine(operand(i, 3, machine), product));
 }
 
+void divide(const Instruction& i, Machine& machine) {
+  const std::size_t left = left_side(i);
+  const Quotient quotient{register_at(i, 0), register_at(i, left), register_at(i, left + 1)};
+  const bool is_by_zero = operand(i, left + 1, machine).anywhere().low == 0;
+  compute(i, divide_unsigned, machine);
+  const bool is_kept = quotient.result != quotient.dividend && quotient.result != quotient.divisor;
+  if (is_kept && !is_by_zero) machine.set_quotient(quotient);
+}
+
+/// `a - quotient * divisor`: below the divisor.
+std::optional<Value> remainder(const Instruction& i, const Machine& machine) {
+  const auto& quotient = machine.quotient();
+  const int a = register_at(i, 1), b = register_at(i, 2);
+  if (!quotient || register_at(i, 3) != quotient->dividend) return std::nullopt;
+  const bool is_product =
+      (a == quotient->result && b == quotient->divisor) || (b == quotient->result && a == quotient->divisor);
+  if (!is_product) return std::nullopt;
+  const Value dividend = machine.get(quotient->dividend);
+  const std::uint32_t most = machine.get(quotient->divisor).anywhere().high - 1;
+  return Value::in({0, std::min(most, dividend.anywhere().high)}, dividend.is_of_stack);
+}
+
+void multiply_and_subtract(const Instruction& i, Machine& machine) {
+  if (const auto rest = remainder(i, machine)) return machine.set(i.operands[0].reg, *rest);
+  multiply_and(i, difference, machine);
+}
+
 Interval and_not(Interval a, Interval b) {
   if (a.is_constant() && b.is_constant()) return Interval::of(a.low & ~b.low);
   return {0, a.high};
+}
+
+/// `bic r0, r1, r1, asr #31`: the number, or 0 where it is negative.
+bool is_cut_at_zero(const Instruction& i) {
+  if (i.operands.size() != 3 || i.operands[2].type != ARM_OP_REG) return false;
+  const cs_arm_op& sign = i.operands[2];
+  return sign.reg == i.operands[1].reg && sign.shift.type == ARM_SFT_ASR && sign.shift.value == 31;
+}
+
+void cut_at_zero(const Instruction& i, Machine& machine) {
+  const Value number = machine.get(i.operands[1].reg);
+  const Interval range = number.anywhere();
+  const bool is_positive = range.high <= INT32_MAX;
+  set_result(i, Value::in(is_positive ? range : Interval{0, INT32_MAX}, number.is_of_stack), machine);
 }
 
 /// False: not modelled.
@@ -247,15 +288,15 @@ bool arithmetic(const Instruction& i, Machine& machine) {
     case ARM_INS_EOR:
       return compute(i, exclusive_or, machine), true;
     case ARM_INS_BIC:
-      return mask(i, and_not, machine), true;
+      return is_cut_at_zero(i) ? cut_at_zero(i, machine) : mask(i, and_not, machine), true;
     case ARM_INS_MUL:
       return compute(i, multiply, machine), true;
     case ARM_INS_UDIV:
-      return compute(i, divide_unsigned, machine), true;
+      return divide(i, machine), true;
     case ARM_INS_MLA:
       return multiply_and(i, sum, machine), true;
     case ARM_INS_MLS:
-      return multiply_and(i, difference, machine), true;
+      return multiply_and_subtract(i, machine), true;
     case ARM_INS_LSL:
       return shift(i, shift_left, machine), true;
     case ARM_INS_LSR:

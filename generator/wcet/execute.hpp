@@ -18,6 +18,8 @@ struct Surroundings {
   const Constants& constants;
   Unknowns& unknowns;
   WordStores* stores = nullptr;  ///< not null: gathers what is stored at constant addresses outside the stack
+  /// An exception may come between an exclusive load and its store, which fails then; else none does.
+  bool exclusive_may_fail = false;
 };
 
 /// The flags of `left - right`, whose values are in these registers, if in any.

@@ -64,6 +64,10 @@ Value unless_wrapped(Value relative, Interval range) {
 
 constexpr Value kBlurred = Value::in(Interval::any(), true);
 
+/// So many words are known before another one of this size is not: what is known is copied on every way. Parts of words
+/// are rarely anything but the contents of arrays.
+constexpr std::size_t most_words(std::uint32_t size) { return size < 4 ? 256 : 2048; }
+
 /// The core-coupled RAM, where every stack lies.
 constexpr Interval kStackMemory{0x1000'0000, 0x1000'FFFF};
 
@@ -106,17 +110,16 @@ bool StackWords::is_of_stack(std::uint32_t low, std::uint32_t high) const {
 
 /// What is left of an address of which a part goes is still a part of it.
 void StackWords::forget(std::uint32_t low, std::uint32_t high) {
+  const auto first =
+      std::partition_point(words_.begin(), words_.end(), [&](const Word& word) { return word.last() < low; });
+  const auto end = std::partition_point(first, words_.end(), [&](const Word& word) { return word.address <= high; });
   std::vector<Word> left;
-  for (const Word& word : words_) {
-    if (!word.meets(low, high)) {
-      left.push_back(word);
-      continue;
-    }
-    for (std::uint32_t at = word.address; word.value.is_of_stack && at <= word.last(); ++at) {
+  for (auto word = first; word != end; ++word) {
+    for (std::uint32_t at = word->address; word->value.is_of_stack && at <= word->last(); ++at) {
       if (at < low || at > high) left.push_back({at, 1, Value::in({0, 0xFF}, true)});
     }
   }
-  words_ = std::move(left);
+  words_.insert(words_.erase(first, end), left.begin(), left.end());
 }
 
 void StackWords::join_address(const Word& word, const StackWords& other, std::vector<Word>& both) {
@@ -138,7 +141,7 @@ void StackWords::store(const Access& access, Value value) {
   const std::uint32_t last = at.high > UINT32_MAX - access.size ? UINT32_MAX : at.high + access.size - 1;
   if (!at.is_constant()) has_forgotten_address_ |= value.is_of_stack || is_of_stack(at.low, last);
   forget(at.low, last);
-  if (!at.is_constant()) return;
+  if (!at.is_constant() || (words_.size() >= most_words(access.size) && !value.is_of_stack)) return;
   const auto place = std::lower_bound(words_.begin(), words_.end(), at.low,
                                       [](const Word& w, std::uint32_t a) { return w.address < a; });
   words_.insert(place, {at.low, access.size, cut_to(access.size, value)});
@@ -227,6 +230,7 @@ void Machine::set(int reg, Value value) {
   if (!i) return;
   registers_[*i] = value;
   if (reg == ARM_REG_LR) is_link_kept_ = false;
+  if (quotient_ && quotient_->has(reg)) quotient_.reset();
   if (!flags_) return;
   if (flags_->left == reg) flags_->left = ARM_REG_INVALID;
   if (flags_->right == reg) flags_->right = ARM_REG_INVALID;
@@ -281,6 +285,7 @@ void Machine::name_unknowns(Unknowns& unknowns) {
 void Machine::join(const Machine& other) {
   for (std::size_t i = 0; i < kRegisters; ++i) registers_[i] = joined(registers_[i], other.registers_[i]);
   if (!(flags_ == other.flags_)) flags_.reset();
+  if (!(quotient_ == other.quotient_)) quotient_.reset();
   stack_.join(other.stack_);
   has_escaped_ |= other.has_escaped_;
   is_stack_in_fpu_ |= other.is_stack_in_fpu_;

@@ -107,6 +107,14 @@ class StackWords {
   bool has_forgotten_address_ = false;  // of the stack: it may still be read somewhere
 };
 
+/// Which registers hold an unsigned quotient, and what it was made of.
+struct Quotient {
+  int result, dividend, divisor;
+
+  [[nodiscard]] bool has(int reg) const { return reg == result || reg == dividend || reg == divisor; }
+  friend bool operator==(const Quotient&, const Quotient&) = default;
+};
+
 /// Registers r0 to r12, sp and lr by their capstone names; others are not followed.
 class Machine {
  public:
@@ -120,6 +128,10 @@ class Machine {
   void set_flags(std::optional<Comparison> comparison) { flags_ = comparison; }
   /// Goes on where the condition holds. False where it never does.
   bool assume(arm_cc condition);
+
+  /// Of the last division in the block whose registers have not been written since.
+  [[nodiscard]] const std::optional<Quotient>& quotient() const { return quotient_; }
+  void set_quotient(std::optional<Quotient> quotient) { quotient_ = quotient; }
 
   StackWords& stack() { return stack_; }
   [[nodiscard]] const StackWords& stack() const { return stack_; }
@@ -158,6 +170,7 @@ class Machine {
 
   std::array<Value, kRegisters> registers_{};
   std::optional<Comparison> flags_;
+  std::optional<Quotient> quotient_;
   StackWords stack_;
   bool has_escaped_ = false;
   bool is_stack_in_fpu_ = false;

@@ -52,10 +52,10 @@ void store(const Transferred& word, const Surroundings& surroundings, Machine& m
   if (surroundings.stores != nullptr) note(word.access, value, *surroundings.stores);
 }
 
-/// It succeeds behind the load that belongs to it where no exception comes between the two (ARMv7-M A3.4.1): a
-/// repetition is part of what a preemption costs.
-void store_exclusive(const Instruction& i, Machine& machine) {
-  machine.set(i.operands[0].reg, machine.may_fail_exclusive() ? Value::in({0, 1}) : Value::of(0));
+/// It succeeds behind the load that belongs to it where no exception comes between the two: ARMv7-M A3.4.1.
+void store_exclusive(const Instruction& i, const Surroundings& surroundings, Machine& machine) {
+  const bool may_fail = surroundings.exclusive_may_fail || machine.may_fail_exclusive();
+  machine.set(i.operands[0].reg, may_fail ? Value::in({0, 1}) : Value::of(0));
   machine.set_exclusive(true);
 }
 
@@ -84,7 +84,7 @@ void access_memory(const Instruction& i, const MemoryUse& use, const Surrounding
   if (use.kind != MemoryUse::Kind::store && std::any_of(use.words.begin(), use.words.end(), keeps_link))
     machine.keep_link();
   if (is_exclusive_load(i.id)) machine.set_exclusive(false);
-  if (is_exclusive_store(i.id)) store_exclusive(i, machine);
+  if (is_exclusive_store(i.id)) store_exclusive(i, surroundings, machine);
 }
 
 }  // namespace finemote::gen::wcet

@@ -9,16 +9,6 @@
 namespace finemote::gen::wcet {
 namespace {
 
-using Blocks = std::set<std::uint32_t>;  // by begin
-
-bool stores_exclusively(const ProgramFunction& function, const BasicBlock& block) {
-  const Instruction* i = function.body.at(block.begin);
-  for (; i != nullptr && i->address < block.end; i = function.body.at(i->end())) {
-    if (is_exclusive_store(i->id)) return true;
-  }
-  return false;
-}
-
 bool leads_to(const BasicBlock& block, std::uint32_t to) {
   return std::any_of(block.edges.begin(), block.edges.end(), [&](const FlowEdge& edge) { return edge.to == to; });
 }
@@ -38,7 +28,16 @@ Blocks turn_by(const FlowGraph& graph, const Loop& loop, std::uint32_t last) {
   return turn;
 }
 
-/// The smallest turn with a block, which need not be the only one with this header.
+}  // namespace
+
+bool stores_exclusively(const ProgramFunction& function, const BasicBlock& block) {
+  const Instruction* i = function.body.at(block.begin);
+  for (; i != nullptr && i->address < block.end; i = function.body.at(i->end())) {
+    if (is_exclusive_store(i->id)) return true;
+  }
+  return false;
+}
+
 Blocks smallest_turn(const FlowGraph& graph, const Loop& loop, std::uint32_t with) {
   Blocks smallest = loop.blocks;
   for (const std::uint32_t last : loop.blocks) {
@@ -48,6 +47,8 @@ Blocks smallest_turn(const FlowGraph& graph, const Loop& loop, std::uint32_t wit
   }
   return smallest;
 }
+
+namespace {
 
 /// The longest, by the nodes from `first` on. Those of what a block calls follow its own.
 Cycles longest_of(const Blocks& turn, const Frame& frame, std::uint32_t header, const UnrolledGraph& graph,

@@ -35,6 +35,7 @@ class Stepping {
       : function_(function), block_(block), surroundings_(surroundings), cost_(cost), machine_(std::move(machine)) {}
 
   Step result() {
+    machine_.set_quotient(std::nullopt);
     const Instruction* last = nullptr;
     for (std::uint32_t address = block_.begin; address < block_.end; address = last->end()) {
       last = function_.body.at(address);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "generator/wcet/countdown.hpp"
+#include "generator/wcet/exclusive_stores.hpp"
 #include "generator/wcet/frame.hpp"
 #include "generator/wcet/loop_marks.hpp"
 #include "generator/wcet/loop_nest.hpp"
@@ -107,6 +108,7 @@ std::optional<std::pair<std::uint32_t, std::string>> refusal_of(const Frame& fra
   return {{*place, "interrupts are kept out, and what that delays has no bound"}};
 }
 
+constexpr const char* kUnlimitedWait = "a wait whose limit is not known";
 constexpr const char* kWrongReturn = "it does not return to where it was called from";
 
 /// Whether a way that leaves the function, if it does, leads to its caller.
@@ -190,6 +192,7 @@ class Walker {
   }
 
  private:
+  Surroundings surroundings() { return {context_.constants, unknowns_, context_.stores}; }
   [[nodiscard]] bool is_spent() const { return walked_.graph.nodes.size() > kMostNodes; }
   void fail(std::uint32_t address, const ProgramFunction* function, std::string why) {
     ++failures_;
@@ -255,7 +258,7 @@ class Walker {
     for (const std::uint32_t block : loop.blocks) frame.passes.erase(block);
     frame.is_cut_by_mark = false;
     for (std::uint64_t rounds = 0;; ++rounds) {
-      const Machine before = frame.arrivals[loop.header]->machine;
+      const Machine before = exclusive_stores_.begin_turn(frame, index);
       const std::uint64_t passed = marks_passed(frame, loop);
       go_through(frame, index);
       auto& header = frame.arrivals[loop.header];
@@ -273,8 +276,8 @@ class Walker {
     Arrival arrival = std::move(*frame.arrivals[loop.header]);
     const auto back = static_cast<Cycles>(arrival.machine.get(reg).range().high) - 1;
     const BasicBlock& block = frame.function.graph.blocks.at(loop.header);
-    const Cycles cost = longest_round(wcet::step(
-        frame.function, block, {context_.constants, unknowns_, context_.stores}, context_.cost, arrival.machine));
+    const Cycles cost =
+        longest_round(wcet::step(frame.function, block, surroundings(), context_.cost, arrival.machine));
     frame.arrivals[loop.header].reset();
     if (back > kLongestCount / cost) return fail(loop.header, &frame.function, "a loop that counts for seconds");
     const std::size_t node = add_node({&frame.function, loop.header, back * cost, std::move(arrival.from)}, walked_);
@@ -295,10 +298,8 @@ class Walker {
     waits_.forget(loop);
     while (!settle(frame, index, arrival.machine)) {}
     const Cycles limit = waits_.limit_of(waits);
-    if (limit > kLongestWait)
-      fail(loop.header, &frame.function, "a wait whose limit is not known");
-    else
-      pass_time(frame, index, limit, std::move(arrival));
+    if (limit > kLongestWait) fail(loop.header, &frame.function, kUnlimitedWait);
+    if (limit <= kLongestWait) pass_time(frame, index, limit, std::move(arrival));
     frame.unmarked = around;
   }
 
@@ -335,8 +336,7 @@ class Walker {
     arrival.machine.name_unknowns(unknowns_);
     waits_.note(block, arrival.machine);
     const BasicBlock& code = frame.function.graph.blocks.at(block);
-    Step step = wcet::step(frame.function, code, {context_.constants, unknowns_, context_.stores}, context_.cost,
-                           std::move(arrival.machine));
+    Step step = exclusive_stores_.step(frame, code, surroundings(), context_.cost, std::move(arrival.machine));
     if (step.problem) fail(step.problem->first, &frame.function, step.problem->second);
     if (step.problem && !goes_on_) return;
     const std::size_t node = add_node({&frame.function, block, step.cost, std::move(arrival.from)}, walked_);
@@ -372,6 +372,7 @@ class Walker {
   LongestLoop longest_;
   std::size_t failures_ = 0;
   LoopNests nests_;
+  ExclusiveStores exclusive_stores_;
   Waits waits_;
   CallChain chain_;
 };

@@ -14,6 +14,13 @@ constexpr unsigned kRetriedByShift = 24;
 /// Of a record of `.debug_finemote_mark_ids`: here the loop of these marks has not begun. Else: a mark of it.
 constexpr std::uint32_t kBegins = 0x8000'0000;
 
+/// A number of a line of a source file, below kBegins.
+constexpr std::uint32_t place_in(const char* file, std::uint32_t line) {
+  std::uint32_t hash = line;
+  for (; *file != 0; ++file) hash = hash * 31U + static_cast<unsigned char>(*file);
+  return hash & ~kBegins;
+}
+
 /// Records the address of this place and `word` in section `.debug_finemote_loops`, two words each.
 template <std::uint32_t word>
 [[gnu::always_inline]] inline void tell_loop() {
@@ -33,9 +40,10 @@ class LoopBound {
   static_assert(passes < 1U << detail::kRetriedByShift, "a loop that turns so often has no useful bound");
 
  public:
-  [[gnu::always_inline]] explicit LoopBound(std::uint32_t line = __builtin_LINE()) : line_(line) {
+  [[gnu::always_inline]] explicit LoopBound(std::uint32_t place = detail::place_in(__builtin_FILE(), __builtin_LINE()))
+      : place_(place) {
     FINEMOTE_OPTIMIZED_ASM(
-        "0: nop" FINEMOTE_FOR_TOOLS(".debug_finemote_mark_ids", ".word 0b, %c0")::"i"(detail::kBegins | line));
+        "0: nop" FINEMOTE_FOR_TOOLS(".debug_finemote_mark_ids", ".word 0b, %c0")::"i"(detail::kBegins | place));
   }
   LoopBound(const LoopBound&) = delete;
   LoopBound& operator=(const LoopBound&) = delete;
@@ -43,11 +51,11 @@ class LoopBound {
   [[gnu::always_inline]] void pass() const {
     FINEMOTE_OPTIMIZED_ASM("0: nop" FINEMOTE_FOR_TOOLS(".debug_finemote_loops", ".word 0b, %c0")
                                FINEMOTE_FOR_TOOLS(".debug_finemote_mark_ids", ".word 0b, %c1")::"i"(passes),
-                           "i"(line_));
+                           "i"(place_));
   }
 
  private:
-  [[maybe_unused]] std::uint32_t line_;  // tells it apart from those of other loops
+  [[maybe_unused]] std::uint32_t place_;  // tells it apart from those of other loops
 };
 
 /// Keeps `left`, which a loop counts down, a number: compilers make a comparison of pointers of it, from which tools
@@ -79,12 +87,13 @@ template <RetriedBy by>
 ///       while (!is_ready() && cycles() - begin < limit) wait.pass(); @endcode
 class WaitBound {
  public:
-  [[gnu::always_inline]] explicit WaitBound(std::uint32_t cycles, std::uint32_t line = __builtin_LINE())
-      : cycles_(cycles), line_(line) {
+  [[gnu::always_inline]] explicit WaitBound(std::uint32_t cycles,
+                                            std::uint32_t place = detail::place_in(__builtin_FILE(), __builtin_LINE()))
+      : cycles_(cycles), place_(place) {
     [[maybe_unused]] std::uint32_t kept = cycles;  // for a member would have to lie in memory
     FINEMOTE_OPTIMIZED_ASM("0: mov %0, %1" FINEMOTE_FOR_TOOLS(".debug_finemote_mark_ids", ".word 0b, %c2")
                            : "=r"(kept)
-                           : "rj"(cycles), "i"(detail::kBegins | line));
+                           : "rj"(cycles), "i"(detail::kBegins | place));
     cycles_ = kept;
   }
   WaitBound(const WaitBound&) = delete;
@@ -96,12 +105,12 @@ class WaitBound {
     FINEMOTE_OPTIMIZED_ASM(
         "0: nop" FINEMOTE_FOR_TOOLS(".debug_finemote_waits", ".word 0b\n\t.asciz \"%0\"\n\t.balign 8")
             FINEMOTE_FOR_TOOLS(".debug_finemote_mark_ids", ".word 0b, %c1")::"r"(cycles_),
-        "i"(line_));
+        "i"(place_));
   }
 
  private:
   std::uint32_t cycles_;
-  [[maybe_unused]] std::uint32_t line_;
+  [[maybe_unused]] std::uint32_t place_;
 };
 
 }  // namespace finemote
