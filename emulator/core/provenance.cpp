@@ -2,8 +2,10 @@
 
 namespace finemote::emulator {
 namespace {
-constexpr std::uint32_t kFirstWorkMark = 0x40000;  // runtime/include/finemote/mark.hpp: stages are below
-}
+// runtime/include/finemote/mark.hpp
+constexpr std::uint32_t kFirstWorkMark = 0x40000;  // stages are below
+constexpr std::uint32_t kHandOverMark = kFirstWorkMark + 2 * 8;
+}  // namespace
 
 std::uint32_t Provenance::add_source() {
   sample_counts_.push_back(0);
@@ -38,6 +40,7 @@ void Provenance::reset() {
 
 /// Only the first begin and the first end count: a jump may come back to the instruction at a mark.
 void Provenance::pass_mark(std::uint32_t number, Time at, Claim claim) {
+  if (number == kHandOverMark) hand_over();
   if (number >= kFirstWorkMark) return;
   Level& level = level_;
   const std::uint32_t stage = number / 2;
@@ -47,9 +50,16 @@ void Provenance::pass_mark(std::uint32_t number, Time at, Claim claim) {
 
 void Provenance::begin(Level& level, std::uint32_t stage, Time at) {
   const bool updates = stage % 2 == 0;
-  level = {stage, Tag::none, updates, {}};
+  level = {stage, Tag::none, updates};
   if (updates) take_early(level, at);
   if (!updates) level.job = add({Origin::Kind::job, stage, runs_[stage]++, at, at});
+}
+
+/// What is no handle sends for none.
+void Provenance::hand_over() {
+  if (level_.job == Tag::none || level_.has_sent) return;
+  level_.has_sent = true;
+  handed_over_.push_back(level_.job);
 }
 
 /// A parser looked at the whole sample before its end was known by the silence behind it: now it is.

@@ -51,6 +51,9 @@ class Provenance {
   /// The same of a job's bytes; null of others.
   [[nodiscard]] const Origin* job(Tag tag) const;
 
+  /// Runs of handles that gave a driver something to send, in that order.
+  [[nodiscard]] const std::vector<Tag>& handed_over() const { return handed_over_; }
+
   /// At the end of every update what its state is made of, in the order of time.
   [[nodiscard]] const std::vector<Use>& uses() const { return uses_; }
 
@@ -76,6 +79,7 @@ class Provenance {
     std::uint32_t stage = kNoStage;
     Tag job = Tag::none;
     bool looks = false;
+    bool has_sent = false;
     Samples loaded = {};  ///< newest of each source
   };
   static constexpr std::uint32_t kNoStage = ~0U;
@@ -83,6 +87,7 @@ class Provenance {
   Tag add(const Origin& origin);
   void begin(Level& level, std::uint32_t stage, Time at);
   void end(Level& level, Time at, Claim claim);
+  void hand_over();
   void take_early(Level& level, Time at);
   [[nodiscard]] bool may_have_taken(const Level& level, std::uint32_t source, Time at);
 
@@ -95,6 +100,7 @@ class Provenance {
   Level level_;                                  ///< what runs now
   Interrupted<Level> interrupted_;
   std::vector<Use> uses_;
+  std::vector<Tag> handed_over_;
 };
 
 }  // namespace finemote::emulator

@@ -154,8 +154,11 @@ void Outfit::add_event(const Json& event, std::int64_t zero_ns) {
   const bool ends_one = !is_on(event);
   const Violation violation{verb.violates, event.value("part", ""), event.value("port", "")};
   const bool is_known = std::find(violated_.begin(), violated_.end(), violation) != violated_.end();
-  if (!verb.violates.empty() && !ends_one && !is_known) violated_.push_back(violation);
   const auto t_ns = zero_ns + need<std::int64_t>(event, "t_ns");
+  if (!verb.violates.empty() && !ends_one) {
+    if (!is_known) violated_.push_back(violation);
+    violated_from_ns_ = std::min(t_ns, violated_from_ns_.value_or(t_ns));
+  }
   board_.world().at(from_ns(static_cast<std::uint64_t>(t_ns)), [this, &verb, event] { verb.act(*this, event); });
 }
 
@@ -182,6 +185,7 @@ std::vector<SampleUse> Outfit::uses() const {
 
 void Outfit::press_reset() {
   ++scripted_resets_;
+  if (on_reset) on_reset();
   board_.press_reset();
 }
 

@@ -93,8 +93,12 @@ class Outfit {
   /// Assumptions of the bounds that events violate, in the order of the events: those of faults, not of stimuli or of
   /// ends of faults.
   [[nodiscard]] const std::vector<Violation>& violated() const { return violated_; }
+  /// When the first of these happens [ns since power-on]; none: none does.
+  [[nodiscard]] std::optional<std::int64_t> violated_from_ns() const { return violated_from_ns_; }
   /// Resets the scenario has asked for so far.
   [[nodiscard]] unsigned scripted_resets() const { return scripted_resets_; }
+  /// Told before each of them: the firmware forgets what it has counted.
+  std::function<void()> on_reset;
 
   /// A quantity of a part now. @throws std::invalid_argument when there is no such part or quantity
   double value(const std::string& part, const std::string& quantity);
@@ -163,6 +167,7 @@ class Outfit {
   std::vector<Expectation> expectations_;
   unsigned scripted_resets_ = 0;
   std::vector<Violation> violated_;
+  std::optional<std::int64_t> violated_from_ns_;
 };
 
 }  // namespace finemote::emulator

@@ -150,6 +150,15 @@ Json uses_of(const Outfit& outfit, std::int64_t zero) {
   return all;
 }
 
+/// `[stage of a handle, number of its run]` of those that gave a driver something to send.
+Json handed_over_in(Board& board) {
+  Json all = Json::array();
+  const Provenance& provenance = board.world().provenance();
+  for (const Tag tag : provenance.handed_over())
+    all.push_back(Json::array({provenance.origin(tag).source, provenance.origin(tag).n}));
+  return all;
+}
+
 Json expectations_of(const Outfit& outfit) {
   Json all = Json::array();
   for (const Expectation& e : outfit.expectations()) {
@@ -250,11 +259,58 @@ std::int64_t first_release_ns(const Json& job) {
   return wait_for_first_release(start.board, start.image, fault_ns).value_or(0);
 }
 
+/// Null where there is no time.
+Json since_zero(std::optional<std::int64_t> ns, std::int64_t zero) { return ns ? Json(*ns - zero) : Json(); }
+
 Json violated_in(const Outfit& outfit) {
   Json list = Json::array();
   for (const Violation& violation : outfit.violated())
     list.push_back({{"assumption", violation.assumption}, {"part", violation.part}, {"port", violation.port}});
   return list;
+}
+
+/// What was counted up to now.
+Json counted_in(Board& board, const Image& image, const TrafficCount& traffic) {
+  return {{"fault_counts", faults_of(board, image)},
+          {"monitor", monitor_of(board, image)},
+          {"traffic", traffic.document()}};
+}
+
+/// Overruns that the firmware counted before a scenario reset it, by bucket.
+class ForgottenOverruns {
+ public:
+  ForgottenOverruns(Board& board, const Image& image, Outfit& outfit) : board_(board), image_(image) {
+    outfit.on_reset = [this] { before_ = in_all(); };
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> in_all() const {
+    std::vector<std::uint32_t> all = overruns_of(board_, image_);
+    for (std::size_t i = 0; i < all.size() && i < before_.size(); ++i) all[i] += before_[i];
+    return all;
+  }
+
+ private:
+  Board& board_;
+  const Image& image_;
+  std::vector<std::uint32_t> before_;
+};
+
+/// Lets the board run up to `end` [ns since power-on]. `undisturbed` becomes what was counted before the first event
+/// that violates an assumption; it stays null where there is none, or where it has happened before.
+Stop run_to_end(Bench& bench, std::int64_t end, const TrafficCount& traffic, Json& undisturbed) {
+  Board& board = bench.board;
+  Stop stop = Stop::time;
+  const auto run_to = [&](std::int64_t time) {
+    const std::int64_t rest = time - static_cast<std::int64_t>(board.now_ns());
+    if (rest > 0 && stop == Stop::time) stop = board.run_for(static_cast<std::uint64_t>(rest));
+  };
+  const std::int64_t disturbed = bench.outfit.violated_from_ns().value_or(end);
+  if (disturbed > static_cast<std::int64_t>(board.now_ns()) && disturbed < end) {
+    run_to(disturbed);
+    undisturbed = counted_in(board, bench.image, traffic);
+  }
+  run_to(end);
+  return stop;
 }
 
 Json run(Bench& bench, const Json& job) {
@@ -264,7 +320,8 @@ Json run(Bench& bench, const Json& job) {
     using Numbers = std::vector<std::uint32_t>;
     audit.emplace(board, image, job.at("audit").get<Numbers>(), job.value("works", Numbers()));
   }
-  Json fault_ns;
+  const ForgottenOverruns overruns(board, image, outfit);
+  Json fault_ns, undisturbed;
   const auto zero = wait_for_first_release(board, image, fault_ns);
   const auto ready = zero ? bring_up(board, image, outfit, job, *zero) : std::nullopt;
   const std::int64_t judged_to = std::max((ready ? ready->end_ns : 0) + job.at("duration_ns").get<std::int64_t>(),
@@ -276,8 +333,7 @@ Json run(Bench& bench, const Json& job) {
     const std::int64_t end = *zero + judged_to + 1;  // what is due at the last moment happens
     series.emplace(board, outfit, static_cast<std::int64_t>(board.now_ns()), end);
     traffic.emplace(board, job.at("ports").get<std::vector<std::string>>());
-    const std::int64_t rest = end - static_cast<std::int64_t>(board.now_ns());
-    if (rest > 0) stop = board.run_for(static_cast<std::uint64_t>(rest));
+    stop = run_to_end(bench, end, *traffic, undisturbed);
   }
   if (!ready || stop != Stop::time) {
     return {{"stop", text_of(stop)},
@@ -288,8 +344,11 @@ Json run(Bench& bench, const Json& job) {
   return {{"stop", nullptr},
           {"reports", reports_of(board)},
           {"resets", board.resets() - outfit.scripted_resets()},
-          {"overruns", overruns_of(board, image)},
+          {"scripted_resets", outfit.scripted_resets()},
+          {"overruns", overruns.in_all()},
           {"violated", violated_in(outfit)},
+          {"violated_from_ns", since_zero(outfit.violated_from_ns(), *zero)},
+          {"undisturbed", undisturbed},
           {"fault_counts", faults_of(board, image)},
           {"first_release_ns", *zero},
           {"ready_ns", ready->end_ns},
@@ -298,6 +357,7 @@ Json run(Bench& bench, const Json& job) {
           {"stages", stages_of(board, *zero, judged_to)},
           {"parts", parts_of(outfit, *zero)},
           {"uses", uses_of(outfit, *zero)},
+          {"handed_over", handed_over_in(board)},
           {"expectations", expectations_of(outfit)},
           {"series", series->document(*zero)},
           {"buses", buses_of(board, job.at("ports"))},

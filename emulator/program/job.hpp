@@ -25,8 +25,12 @@
 // - `stop`: null
 // - `reports`: what the firmware did wrong with the hardware: `misuse`, `text`, `count`, `first_ns`, `pc`
 // - `resets`: how many, without those that `events` asked for
-// - `overruns`: how many, by bucket
+// - `scripted_resets`: those
+// - `overruns`: how many, by bucket, those before a reset included
 // - `violated`: each `assumption` of the bounds that `events` violate, by `part` or `port`, empty where none is named
+// - `violated_from_ns`: when the first of these events happens; null: none does
+// - `undisturbed`: `fault_counts`, `monitor` and `traffic` then; null where it is before the end of the bring-up, or
+// none
 // - `fault_counts`: `[module, number, count]` of each fault
 // - `first_release_ns`: since power-on
 // - `ready_ns`: when the bring-up ended
@@ -36,6 +40,7 @@
 // - `parts`: samples and outputs: `part`, `output`, `channel`, `from_ps`, `at_ps`, `n`; of an output also its `value`
 //   and the `stage` of the handle whose run `n` it carries, null where none is known
 // - `uses`: samples that updates took: `[time in ps, stage, part, channel, n, claimed time in ps or null]`
+// - `handed_over`: `[stage, run]` of each handle that gave a driver something to send
 // - `expectations`: `part`, `value`, `from_ns`, `to_ns`, `min`, `max`; seen: `lowest`, `highest`, `finite`; `ok`
 // - `series`: values of the parts over time (emulator/program/value_series.hpp)
 // - `buses`: of each of `ports` the `transfers`, `errors`, and the share of time that it was `busy`

@@ -56,6 +56,7 @@ std::optional<timing::Timing> analyse_image(const Options& options, const Planne
   Diagnostics findings;
   const auto model = timing::make_timing_model(robot, forest, schedule, findings, instrumented);
   if (!model) return std::nullopt;
+  request.every = true;
   request.chains = timing::parse_chains(*model, options.chains, findings);
   std::optional<timing::Timing> timing;
   if (!findings.has_errors()) timing = timing::analyse(*model, request, findings);
@@ -150,8 +151,8 @@ std::optional<Runs> run_phases(const WatchedImage& watched, const PlannedRobot& 
       audit += audit_lines(planned.robot, planned.forest, planned.schedule, run, *record);
       record->log.clear();
     }
-    RunFigures figures =
-        figures_of(planned.robot, planned.forest, timing ? &*timing : nullptr, *record, setup.is_emulated());
+    RunFigures figures = figures_of(planned.robot, planned.forest, planned.schedule, timing ? &*timing : nullptr,
+                                    *record, setup.is_emulated());
     if (!all) {
       all = Runs{std::move(*record), std::move(figures), {}};
     } else {
@@ -159,6 +160,7 @@ std::optional<Runs> run_phases(const WatchedImage& watched, const PlannedRobot& 
       merge(all->figures, figures);
     }
   }
+  leave_out_others(planned.robot, all->figures.chains);
   all->audit = std::move(audit);
   return all;
 }
@@ -173,11 +175,9 @@ void judge(const PlannedRobot& planned, const std::optional<timing::Timing>& tim
   result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged) && declared_hold;
   if (timing && !check_routines(robot, timing->model, result.record, judged)) result.wcets_hold = false;
   result.loops_hold = check_loops(result.loops, result.record.loop_passes, judged);
-  if (result.record.violated.empty()) {
+  if (result.record.is_traffic_judged) {
     const bool bus_traffic_holds = check_traffic(robot, result.figures.traffic, judged);
     result.traffic_holds = check_pin_edges(result.figures.pins, judged) && bus_traffic_holds;
-  } else {
-    result.traffic_holds = true;
   }
   result.wcets = measured_wcets(robot, result.record);
   result.order = judge_order(robot, planned.schedule, result.record);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "generator/forest/stage.hpp"
 #include "generator/image/exception.hpp"
@@ -48,7 +49,7 @@ Json exception_table(const Robot& robot, const Schedule& schedule) {
 class Audit {
  public:
   Audit(const Robot& robot, const Forest& forest, const RunRecord& record)
-      : robot_(robot), forest_(forest), record_(record) {
+      : robot_(robot), forest_(forest), record_(record), sent_(record.handed_over.begin(), record.handed_over.end()) {
     add_log();
     add_samples();
     add_uses();
@@ -116,23 +117,42 @@ class Audit {
     }
   }
 
-  /// A command that never came out, because a later one of the same output did.
   void add_outputs() {
-    std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> next;  // job of the output of a part
+    std::map<std::pair<std::string, std::uint32_t>, JobRun> next;  // of an output of a part
     for (const PartRecord& event : record_.parts) {
       if (!event.is_output) continue;
-      std::string carried = "\"device\":null,\"job\":null";
       if (event.stage) {
-        const std::string device = quoted(device_of(*event.stage));
-        carried = fmt::format("\"device\":{},\"job\":{}", device, event.n);
-        std::uint32_t& expected = next[{event.part, event.channel}];
-        for (; expected < event.n; ++expected)
-          add(event.at_ps, fmt::format("\"what\":\"superseded\",\"device\":{},\"job\":{}", device, expected));
-        expected = std::max(expected, event.n + 1);
+        JobRun& expected = next.try_emplace({event.part, event.channel}, JobRun{*event.stage, 0}).first->second;
+        add_superseded(expected, event.is_repeated ? event.n + 1 : event.n, event.at_ps);
+        expected.n = std::max(expected.n, event.n + 1);
       }
+      const bool carries = event.stage && !event.is_repeated;
+      const std::string carried = carries ? job_of({*event.stage, event.n}) : R"("device":null,"job":null)";
       add(event.at_ps,
           fmt::format("\"what\":\"output\",\"part\":{},\"channel\":{},{}", quoted(event.part), event.channel, carried));
     }
+    for (const auto& [output, awaited] : next) add_awaited(awaited);
+  }
+
+  /// Commands before `end` never came out by themselves: the output shows what they or later ones ask for.
+  void add_superseded(JobRun next, std::uint32_t end, std::int64_t ps) {
+    for (; next.n < end; ++next.n) {
+      const bool sent = sent_.count(next) != 0;
+      add(ps, fmt::format("\"what\":\"superseded\",{},\"sent\":{}", job_of(next), sent));
+    }
+  }
+
+  /// What a driver was given and had not come out when the last run of its handle ended.
+  void add_awaited(JobRun next) {
+    const auto is_end = [&](const LoggedEvent& event) { return event.what == "end" && event.number == next.stage; };
+    const auto last = std::find_if(record_.log.rbegin(), record_.log.rend(), is_end);
+    if (last == record_.log.rend()) return;
+    for (auto run = sent_.lower_bound(next); run != sent_.end() && run->stage == next.stage; ++run)
+      add(last->ps, fmt::format("\"what\":\"superseded\",{},\"sent\":true", job_of(*run)));
+  }
+
+  [[nodiscard]] std::string job_of(const JobRun& job) const {
+    return fmt::format("\"device\":{},\"job\":{}", quoted(device_of(job.stage)), job.n);
   }
 
   static std::string quoted(const std::string& name) { return Json(name).dump(); }
@@ -140,6 +160,7 @@ class Audit {
   const Robot& robot_;
   const Forest& forest_;
   const RunRecord& record_;
+  const std::set<JobRun> sent_;
   std::vector<Line> lines_;
 };
 

@@ -1,30 +1,13 @@
 #include "generator/run/chains.hpp"
 
 #include <algorithm>
-#include <map>
 
-#include "generator/forest/stage.hpp"
 #include "generator/run/measure.hpp"
+#include "generator/run/reached_outputs.hpp"
 #include "generator/run/samples.hpp"
 
 namespace finemote::gen {
 namespace {
-
-/// Where a device's output can be seen: at its own part, or at a channel of the part it drives.
-struct OutputPlace {
-  std::string part;
-  std::optional<std::uint32_t> channel = {};  ///< none: any
-
-  [[nodiscard]] bool has(const PartRecord& event) const {
-    return event.is_output && event.part == part && (!channel || event.channel == *channel);
-  }
-};
-
-OutputPlace output_of(const Robot& robot, const Device& device) {
-  const Segment* segment = device.segment ? &robot.segments[*device.segment] : nullptr;
-  if (segment == nullptr || segment->kind != Segment::Kind::pwm_expander) return {device.name.text};
-  return {robot.expanders[*segment->expander].name.text, device.channel.value_or(0)};
-}
 
 /// How old the data are that an update took: of all channels of the device's part, the oldest sample.
 class TakenSamples {
@@ -44,45 +27,36 @@ class TakenSamples {
   std::vector<SampledState> states_;
 };
 
-/// When the command of each handle of a device reached an output first, by the number of the run.
-class ReachedOutputs {
- public:
-  ReachedOutputs(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId device) {
-    const OutputPlace place = output_of(robot, robot.devices[device]);
-    const std::uint32_t handle = Stage{forest.rank[device], true}.number();
-    for (const PartRecord& event : record.parts) {
-      if (event.stage == handle && place.has(event)) at_.emplace(event.n, event.at());
-    }
-  }
-
-  /// None: a later command came first, or the run was over.
-  [[nodiscard]] std::optional<Duration> of(std::uint32_t run) const {
-    const auto found = at_.find(run);
-    return found == at_.end() ? std::nullopt : std::optional(found->second);
-  }
-
- private:
-  std::map<std::uint32_t, Duration> at_;
-};
-
 struct Series {
   std::vector<Duration> acquire, decide, wire, end_to_end;
+  std::vector<Duration> waiting;  ///< so far: of commands that had not come out by the end
   std::vector<MeasuredAge> decisions, commands;
 };
 
-Series collect(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId from, DeviceId to) {
+/// When the last run of a device's handle ended.
+Duration last_end(const RunRecord& record, DeviceId device) {
+  const std::vector<StageRun> runs = stage_runs(record, device, true);
+  return runs.empty() ? Duration{} : runs.back().end;
+}
+
+/// @param has_wire  the command goes on from the end of the last handle(); else that is where it takes effect
+Series collect(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId from, DeviceId to,
+               bool has_wire) {
   Series series;
   const TakenSamples taken(robot, forest, record, from);
   const ReachedOutputs reached(robot, forest, record, to);
+  const Duration handles_end = last_end(record, to);
   const auto keep = [&](std::vector<Duration>& list, Duration time) { list.push_back(record.true_time(time)); };
   for (const DecisionSample& sample : decision_samples(record, find_chain(robot, from, to))) {
     const Duration decide = sample.handle_end - sample.update.begin;
     const auto age = taken.age(sample.update);
-    const auto output = reached.of(sample.handle_run);
+    const auto output = has_wire ? reached.of(sample.handle_run) : std::optional(sample.handle_end);
     keep(series.decide, decide);
     series.decisions.push_back({sample.handle_end, series.decide.back()});
     if (age) keep(series.acquire, *age);
-    if (output) keep(series.wire, *output - sample.handle_end);
+    const auto end_of_wait = output ? output : reached.overtaken(sample.handle_run);
+    if (end_of_wait && has_wire) keep(series.wire, *end_of_wait - sample.handle_end);
+    if (reached.is_awaited(sample.handle_run)) keep(series.waiting, handles_end - sample.handle_end);
     if (!age || !output) continue;
     keep(series.end_to_end, *age + decide + *output - sample.handle_end);
     series.commands.push_back({*output, series.end_to_end.back()});
@@ -90,25 +64,62 @@ Series collect(const Robot& robot, const Forest& forest, const RunRecord& record
   return series;
 }
 
+MeasuredChain measure_chain(const Robot& robot, const Forest& forest, const timing::ChainResult& bound,
+                            const RunRecord& record, bool is_bound) {
+  const auto bound_of = [&](std::optional<Duration> one) { return is_bound ? one : std::nullopt; };
+  MeasuredChain chain;
+  chain.from = forest.order[bound.from];
+  chain.to = forest.order[bound.to];
+  chain.has_wire = robot.devices[chain.to].type->actuator || bound.wire != Duration::zero();
+  Series series = collect(robot, forest, record, chain.from, chain.to, chain.has_wire);
+  for (const Duration waiting : series.waiting) {  // any shorter one may still come out in time
+    if (bound.wire && waiting > *bound.wire) series.wire.push_back(waiting);
+  }
+  chain.acquire = {summarize(series.acquire), bound_of(bound.acquire)};
+  chain.decide = {summarize(series.decide), bound_of(bound.decide)};
+  chain.wire = {summarize(series.wire), bound_of(bound.wire)};
+  chain.end_to_end = {summarize(series.end_to_end), bound_of(bound.end_to_end)};
+  chain.ages = std::move(series.commands.empty() ? series.decisions : series.commands);
+  return chain;
+}
+
+bool breaks_a_bound(const MeasuredChain& chain) {
+  return std::any_of(kChainFigures.begin(), kChainFigures.end(),
+                     [&](const auto& figure) { return (chain.*figure.measured).judged() == Judgement::broken; });
+}
+
+/// Unbounded is largest.
+bool is_larger(const Measured& a, const Measured& b) { return b.bound && (!a.bound || *a.bound > *b.bound); }
+
 }  // namespace
 
 std::vector<MeasuredChain> measure_chains(const Robot& robot, const Forest& forest, const timing::Timing& timing,
                                           const RunRecord& record, bool is_bound) {
   std::vector<MeasuredChain> chains;
-  const auto bound_of = [&](std::optional<Duration> bound) { return is_bound ? bound : std::nullopt; };
-  for (const timing::ChainResult& bound : timing.chains) {
-    MeasuredChain chain;
-    chain.from = forest.order[bound.from];
-    chain.to = forest.order[bound.to];
-    Series series = collect(robot, forest, record, chain.from, chain.to);
-    chain.acquire = {summarize(series.acquire), bound_of(bound.acquire)};
-    chain.decide = {summarize(series.decide), bound_of(bound.decide)};
-    chain.wire = {summarize(series.wire), bound_of(bound.wire)};
-    chain.end_to_end = {summarize(series.end_to_end), bound_of(bound.end_to_end)};
-    chain.ages = std::move(series.commands.empty() ? series.decisions : series.commands);
-    chains.push_back(std::move(chain));
+  for (const timing::ChainResult& bound : timing.chains)
+    chains.push_back(measure_chain(robot, forest, bound, record, is_bound));
+  for (const timing::ChainResult& bound : timing.others) {
+    if (!is_bound) break;  // there is nothing they could break
+    chains.push_back(measure_chain(robot, forest, bound, record, is_bound));
+    chains.back().is_listed = false;
   }
   return chains;
+}
+
+void leave_out_others(const Robot& robot, std::vector<MeasuredChain>& chains) {
+  Table<DeviceId, const MeasuredChain*> longest(robot.devices.size());  // none: a listed one ends there
+  Table<DeviceId, bool> is_end(robot.devices.size());
+  for (const MeasuredChain& chain : chains) is_end[chain.to] = is_end[chain.to] || chain.is_listed;
+  for (const MeasuredChain& chain : chains) {
+    const MeasuredChain*& known = longest[chain.to];
+    if (is_end[chain.to] || !robot.devices[chain.to].type->actuator) continue;
+    if (known == nullptr || is_larger(chain.end_to_end, known->end_to_end)) known = &chain;
+  }
+  std::vector<MeasuredChain> kept;
+  for (const MeasuredChain& chain : chains) {
+    if (chain.is_listed || breaks_a_bound(chain) || longest[chain.to] == &chain) kept.push_back(chain);
+  }
+  chains = std::move(kept);
 }
 
 }  // namespace finemote::gen

@@ -20,6 +20,8 @@ struct MeasuredAge {
 struct MeasuredChain {
   DeviceId from, to;
   Measured acquire, decide, wire, end_to_end;
+  bool has_wire = true;                ///< the command goes on from its last device; else wire has no sample
+  bool is_listed = true;               ///< analyze lists it, or was asked for it
   std::vector<MeasuredAge> ages = {};  ///< of one run, in time order; end to end where that has samples
 };
 
@@ -28,10 +30,15 @@ inline constexpr std::array<Figure<MeasuredChain>, 4> kChainFigures{{{"acquire",
                                                                      {"wire", &MeasuredChain::wire},
                                                                      {"end to end", &MeasuredChain::end_to_end}}};
 
-/// Measures the chains of `timing` (whose devices are in the order of `forest`). Acquire and wire need parts that say
-/// when they sampled and when an output changed: on the emulated board. Wire has a sample where the output changed.
+/// Measures the chains of `timing`, listed and others (whose devices are in the order of `forest`). Acquire and wire
+/// need parts that say when they sampled and when an output changed: on the emulated board. Wire has a sample where the
+/// output changed.
 /// @param is_bound  the bounds hold for what ran; else the chains have none
 std::vector<MeasuredChain> measure_chains(const Robot& robot, const Forest& forest, const timing::Timing& timing,
                                           const RunRecord& record, bool is_bound);
+
+/// Leaves out chains that are not listed, but for those that are above a bound, and one for each actuator that no
+/// listed one ends at: that with the largest bound.
+void leave_out_others(const Robot& robot, std::vector<MeasuredChain>& chains);
 
 }  // namespace finemote::gen

@@ -1,19 +1,60 @@
 #include "generator/run/claims.hpp"
 
+#include <algorithm>
+
+#include "generator/bus/bus_type.hpp"
+#include "generator/run/measure.hpp"
 #include "generator/run/samples.hpp"
 
 namespace finemote::gen {
+namespace {
 
-std::vector<MeasuredClaim> measure_claims(const Robot& robot, const Forest& forest, const RunRecord& record) {
+/// What its data may be old when its update() begins; none where a time stamp says more.
+std::optional<Duration> oldest_claim(const Robot& robot, const Forest& forest, const timing::Timing& timing,
+                                     DeviceId device) {
+  const Device& one = robot.devices[device];
+  const bool is_arbitrated = one.segment && bus_type(robot.segments[*one.segment].bus_kind).is_arbitrated;
+  if (is_arbitrated) return std::nullopt;
+  for (const auto* chains : {&timing.chains, &timing.others}) {
+    for (const timing::ChainResult& chain : *chains) {
+      if (forest.order[chain.from] == device) return chain.acquire;
+    }
+  }
+  return std::nullopt;
+}
+
+/// When each run of update() began, by when it ended.
+class Begins {
+ public:
+  Begins(const RunRecord& record, DeviceId device) : runs_(stage_runs(record, device, false)) {}
+
+  [[nodiscard]] std::optional<Duration> of(Duration end) const {
+    const auto is_before = [](const StageRun& run, Duration time) { return run.end < time; };
+    const auto found = std::lower_bound(runs_.begin(), runs_.end(), end, is_before);
+    return found == runs_.end() || found->end != end ? std::nullopt : std::optional(found->begin);
+  }
+
+ private:
+  std::vector<StageRun> runs_;
+};
+
+}  // namespace
+
+std::vector<MeasuredClaim> measure_claims(const Robot& robot, const Forest& forest, const timing::Timing& timing,
+                                          const RunRecord& record) {
   std::vector<MeasuredClaim> claims;
   for (const DeviceId device : forest.order) {
     if (!robot.devices[device].type->acquisition) continue;
-    std::vector<Duration> leads;
+    const Begins begins(record, device);
+    std::vector<Duration> leads, ages;
     for (const SampledState& state : states_of(robot, forest, record, device)) {
-      if (state.claimed_ps && state.at() >= record.ready)
-        leads.push_back(record.true_time(picoseconds_up(*state.claimed_ps - state.from_ps)));
+      if (!state.claimed_ps || state.at() < record.ready) continue;
+      leads.push_back(record.true_time(picoseconds_up(*state.claimed_ps - state.from_ps)));
+      const auto begin = begins.of(state.at());
+      if (begin && *begin >= record.ready) ages.push_back(record.true_time(*begin - picoseconds_up(*state.claimed_ps)));
     }
-    claims.push_back({device, {summarize(leads), kClaimSlack}});
+    claims.push_back(
+        {device, {summarize(leads), kClaimSlack}, {summarize(ages), oldest_claim(robot, forest, timing, device)}});
   }
   return claims;
 }

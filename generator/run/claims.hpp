@@ -1,9 +1,11 @@
-// Whether devices say of their data what is true: how much fresher their time stamps claim they are.
+// Whether devices say of their data what is true, and still use them when they say themselves that they are too old.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "generator/run/measured.hpp"
+#include "generator/timing/analyse.hpp"
 
 namespace finemote::gen {
 
@@ -13,9 +15,16 @@ inline constexpr Duration kClaimSlack = microseconds(1);
 struct MeasuredClaim {
   DeviceId device;
   Measured lead;  ///< claimed origin less the time when the oldest sample in the state was taken; bound: kClaimSlack
+  Measured
+      age;  ///< of data that are said to be valid, by their claim, at the begin of update(); bound: that of acquire
 };
 
+inline constexpr std::array<Figure<MeasuredClaim>, 2> kClaimFigures{
+    {{"lead", &MeasuredClaim::lead}, {"age", &MeasuredClaim::age}}};
+
 /// Of devices with a sensor of their own, at the end of every update after the bring-up that left a valid state.
-std::vector<MeasuredClaim> measure_claims(const Robot& robot, const Forest& forest, const RunRecord& record);
+/// Where frames arbitrate a time stamp is as old as the worst order of frames makes it, and no age has a bound.
+std::vector<MeasuredClaim> measure_claims(const Robot& robot, const Forest& forest, const timing::Timing& timing,
+                                          const RunRecord& record);
 
 }  // namespace finemote::gen

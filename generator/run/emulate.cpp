@@ -72,11 +72,12 @@ bool overrun_stops(const Robot& robot) {
   return param_value(robot.board_params, "overrun", std::string()) == "safe_stop";
 }
 
-/// A firmware that came to its first release and is in its safe stop now; one that a scenario put there is left alone.
+/// A firmware that came to its first release and is in its safe stop now; one that a scenario may have put there is
+/// left alone.
 bool is_stopped_later(const Json& record, const Robot& robot, const FaultTable& table, Diagnostics& diagnostics) {
-  const std::vector<FaultCount> faults = faults_of(record);
+  const std::vector<FaultCount> faults = undisturbed_faults_of(record);
   const FaultCount* stop = stopping_fault(table, faults, overrun_stops(robot));
-  if (stop == nullptr || !record.at("violated").empty()) return false;
+  if (stop == nullptr) return false;
   const Json& stages = record.at("stages");
   const Duration last = stages.empty() ? Duration::zero() : time_of(stages.back().at(0));
   report_safe_stop(table, faults, *stop, fmt::format("after its last stage at {}", units::format_duration(last)),
@@ -214,7 +215,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   RunRecord record = read_record(json, robot, forest);
   record.silent = silent_beside(options.parts, options.scenario);
   record.judged_for = std::max(duration, last_event - record.ready);
-  record.has_events = options.scenario != nullptr;
+  record.has_events = options.scenario != nullptr && !options.scenario->document.value("events", Json::array()).empty();
   record.clock_ppm = clock_ppm;
   record.flash = flash;
   record.silicon = options.silicon;

@@ -24,8 +24,8 @@ struct RunFigures {
 /// Of one run, from the end of its bring-up on.
 /// @param timing    what it is held to; null: no answer, so neither chains nor responses
 /// @param is_bound  the bounds hold for what ran
-RunFigures figures_of(const Robot& robot, const Forest& forest, const timing::Timing* timing, const RunRecord& record,
-                      bool is_bound);
+RunFigures figures_of(const Robot& robot, const Forest& forest, const Schedule& schedule, const timing::Timing* timing,
+                      const RunRecord& record, bool is_bound);
 
 /// Adds another run of the same image.
 void merge(RunFigures& all, const RunFigures& more);

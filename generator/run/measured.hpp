@@ -18,6 +18,7 @@ std::string_view judgement_name(Judgement judgement);
 struct Measured {
   Statistics observed;
   std::optional<Duration> bound;
+  bool was_broken = false;  ///< before a scenario violated any assumption: nothing excuses that
 
   [[nodiscard]] Judgement judged() const {
     if (!bound) return Judgement::no_bound;

@@ -45,7 +45,7 @@ OrderVerdict judge_order(const Robot& robot, const Schedule& schedule, const Run
   for (const Event& event : record.events) {
     const std::size_t bucket = schedule.bucket_of[event.device];
     const std::vector<Edge>& plan = plans[bucket];
-    const bool begins_anew = record.resets > 0 && plan.front().is_of(event);
+    const bool begins_anew = record.resets + record.scripted_resets > 0 && plan.front().is_of(event);
     if (begins_anew) next[bucket] = 0;
     const Edge& due = plan[next[bucket]];
     verdict.is_judged = true;

@@ -18,9 +18,17 @@ std::vector<FaultCount> faults_of(const Json& record, const char* when) {
   return faults;
 }
 
-/// What came after the bring-up. Counters stay at their largest value, and begin anew with a reset.
+/// What was counted until the scenario violated an assumption, or by the end; null: it did so during the bring-up.
+const Json& undisturbed_in(const Json& record) {
+  return record.at("violated_from_ns").is_null() ? record : record.at("undisturbed");
+}
+
+/// What came after the bring-up, while every assumption held. Counters stay at their largest value, and begin anew with
+/// a reset.
 std::vector<FaultCount> late_faults_of(const Json& record) {
-  std::vector<FaultCount> late = faults_of(record, "fault_counts");
+  const Json& undisturbed = undisturbed_in(record);
+  if (undisturbed.is_null()) return {};
+  std::vector<FaultCount> late = faults_of(undisturbed, "fault_counts");
   for (const FaultCount& early : faults_of(record, "faults_at_ready")) {
     for (FaultCount& fault : late) {
       if (fault.module == early.module && fault.number == early.number)
@@ -29,6 +37,22 @@ std::vector<FaultCount> late_faults_of(const Json& record) {
   }
   std::erase_if(late, [](const FaultCount& fault) { return fault.count == 0; });
   return late;
+}
+
+/// By the monitor, while every assumption held.
+std::uint64_t late_violations_of(const Json& record) {
+  const Json& undisturbed = undisturbed_in(record);
+  std::uint64_t count = 0;
+  if (undisturbed.is_null()) return count;
+  for (const Json& entry : undisturbed.at("monitor"))
+    count += entry.at(2).get<std::uint64_t>() + entry.at(3).get<std::uint64_t>();
+  return count;
+}
+
+/// While every assumption held; all of it where that ended with the bring-up.
+const Json& traffic_in(const Json& record) {
+  const Json& undisturbed = undisturbed_in(record);
+  return (undisturbed.is_null() ? record : undisturbed).at("traffic");
 }
 
 std::vector<Event> events_of(const Json& record, const Forest& forest) {
@@ -58,7 +82,7 @@ std::vector<RoutineTime> routine_times_of(const Json& record) {
   for (const Json& own : record.at("own_exceptions")) {
     RoutineTime& routine = times.emplace_back();
     routine = {own.at(0), picoseconds_up(own.at(1))};
-    for (const Json& counted : record.at("traffic").at("exceptions")) {
+    for (const Json& counted : traffic_in(record).at("exceptions")) {
       if (counted.at(0) == routine.exception) routine.runs = counted.at(1);
     }
   }
@@ -126,7 +150,7 @@ std::int64_t runs_of(const Json& exceptions, const Port& port) {
 
 /// Of the bus that has a port, and comes in this place of those.
 BusTraffic traffic_of(const Json& record, std::size_t place, const Port* port) {
-  const Json& traffic = record.at("traffic");
+  const Json& traffic = traffic_in(record);
   const Json& lines = traffic.at("ports").at(place);
   return {time_of(traffic.at("ns")), time_of(lines.at(0)), time_of(lines.at(1)),
           port != nullptr ? runs_of(traffic.at("exceptions"), *port) : 0};
@@ -159,6 +183,11 @@ std::vector<MonitorEntry> monitor_of(const Json& record, const Forest& forest) {
 
 std::vector<FaultCount> faults_of(const Json& document) { return faults_of(document, "fault_counts"); }
 
+std::vector<FaultCount> undisturbed_faults_of(const Json& document) {
+  const Json& undisturbed = undisturbed_in(document);
+  return undisturbed.is_null() ? std::vector<FaultCount>{} : faults_of(undisturbed);
+}
+
 Duration time_of(const Json& ns) { return nanoseconds(ns.get<std::int64_t>()); }
 
 RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest) {
@@ -167,22 +196,27 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   record.absent = json.at("absent").get<std::vector<std::string>>();
   record.events = events_of(json, forest);
   record.own_times = own_times_of(json, forest);
-  record.traffic_window = time_of(json.at("traffic").at("ns"));
+  record.traffic_window = time_of(traffic_in(json).at("ns"));
   record.routine_times = routine_times_of(json);
   record.loop_passes = json.at("loop_passes").get<std::vector<std::uint64_t>>();
   record.overruns = json.at("overruns").get<std::vector<std::uint64_t>>();
   record.faults = faults_of(json, "fault_counts");
   record.late_faults = late_faults_of(json);
+  record.late_violations = late_violations_of(json);
+  record.is_traffic_judged = !undisturbed_in(json).is_null();
   record.parts = parts_of(json);
-  leave_out_repeated(robot, record.parts);
+  note_repeated(robot, record.parts);
   for (const Json& use : json.at("uses"))
     record.uses.push_back({use.at(0), use.at(1), use.at(2), use.at(3), use.at(4), maybe(use.at(5))});
+  for (const Json& run : json.at("handed_over")) record.handed_over.push_back({run.at(0), run.at(1)});
   record.log = log_of(json.at("audit"));
   record.expectations = expectations_of(json);
   record.series = series_of(json);
   record.buses = buses_of(json, robot);
   record.monitor = monitor_of(json, forest);
   record.resets = json.at("resets");
+  record.scripted_resets = json.at("scripted_resets");
+  if (const Json& from = json.at("violated_from_ns"); !from.is_null()) record.violated_from = time_of(from);
   for (const Json& violation : json.at("violated"))
     record.violated.push_back(
         violation_of(violation.at("assumption"), violation.at("part"), violation.at("port"), robot));

@@ -14,6 +14,9 @@ RunRecord read_record(const nlohmann::ordered_json& document, const Robot& robot
 /// What the firmware has counted, also of a run that stopped before.
 std::vector<FaultCount> faults_of(const nlohmann::ordered_json& document);
 
+/// The same until a scenario violated an assumption of the bounds, after the bring-up.
+std::vector<FaultCount> undisturbed_faults_of(const nlohmann::ordered_json& document);
+
 /// A time of the document.
 Duration time_of(const nlohmann::ordered_json& ns);
 

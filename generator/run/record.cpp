@@ -55,6 +55,8 @@ void merge(RunRecord& all, const RunRecord& more) {
     if (all.expectations[i].ok && !more.expectations[i].ok) all.expectations[i] = more.expectations[i];
   }
   all.resets += more.resets;
+  all.scripted_resets += more.scripted_resets;
+  all.late_violations += more.late_violations;
 }
 
 }  // namespace finemote::gen

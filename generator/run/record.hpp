@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -64,9 +65,18 @@ struct PartRecord {
   std::uint32_t n = 0;                 ///< which sample of the channel, or which run of the handle, from 0
   std::optional<std::uint32_t> stage;  ///< the handle whose command an output carries; none: nobody knows
   double value = 0;                    ///< of an output, in its unit
+  bool is_repeated = false;  ///< the value was shown before: nobody knows whether this or an older command sent it
 
   [[nodiscard]] Duration from() const { return picoseconds_down(from_ps); }
   [[nodiscard]] Duration at() const { return picoseconds_down(at_ps); }
+};
+
+/// A run of a handle.
+struct JobRun {
+  std::uint32_t stage = 0;
+  std::uint32_t n = 0;  ///< since power-on, from 0
+
+  friend auto operator<=>(const JobRun&, const JobRun&) = default;
 };
 
 /// What the state of a device was made of when an update ended.
@@ -131,18 +141,23 @@ struct RunRecord {
   std::vector<BusRecord> buses;
   std::vector<PartRecord> parts;                ///< in time order per part; emulated board only
   std::vector<SampleUse> uses;                  ///< in time order; emulated board only
+  std::vector<JobRun> handed_over;              ///< gave a driver something to send; emulated board only
   std::vector<LoggedEvent> log;                 ///< in time order; where it was asked for
   std::vector<MonitorEntry> monitor;            ///< in schedule order; empty without the monitor
   unsigned resets = 0;                          ///< by the watchdog or the firmware; emulated board only
+  unsigned scripted_resets = 0;                 ///< by the scenario
   std::vector<ExpectationRecord> expectations;  ///< of the scenario; emulated board only
   std::vector<ValueSeries> series;              ///< emulated board only
   std::string flash;                            ///< hit or miss: how the emulated board counted fetches
   SiliconChoice silicon;                        ///< which freedom of its manual the emulated chip used
   std::vector<Violation> violated;              ///< by the scenario: bounds that rest on them need not hold
+  std::optional<Duration> violated_from;        ///< before that all have to; none: they have to for ever
   bool has_events = false;                      ///< a scenario made things happen, so lines may bring anything
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
   std::vector<FaultCount> faults;               ///< in the order of their first times
-  std::vector<FaultCount> late_faults;          ///< of these, counted after the bring-up
+  std::vector<FaultCount> late_faults;          ///< of these, counted after the bring-up and before `violated_from`
+  std::uint64_t late_violations = 0;            ///< counted by the monitor before `violated_from`
+  bool is_traffic_judged = true;                ///< it was counted while no assumption was violated
   std::optional<Duration> instruction_time;     ///< every one takes that long: the run counts them instead of time
   std::optional<Duration> stopped_at;           ///< it went to its safe stop; host and qemu_f405 only
 

@@ -23,13 +23,13 @@ std::set<std::string> shared_expanders(const Robot& robot) {
 
 }  // namespace
 
-void leave_out_repeated(const Robot& robot, std::vector<PartRecord>& parts) {
+void note_repeated(const Robot& robot, std::vector<PartRecord>& parts) {
   const std::set<std::string> shared = shared_expanders(robot);
   std::map<std::pair<std::string, std::uint32_t>, double> shown;
   for (PartRecord& event : parts) {
     if (!event.is_output || shared.count(event.part) == 0) continue;
     const auto [before, is_first] = shown.emplace(std::pair(event.part, event.channel), event.value);
-    if (!is_first && before->second == event.value) event.stage = std::nullopt;
+    event.is_repeated = !is_first && before->second == event.value;
     before->second = event.value;
   }
 }

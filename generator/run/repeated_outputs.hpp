@@ -10,8 +10,8 @@ namespace finemote::gen {
 
 /// A command that changes nothing is not sent by itself: it goes along when its expander is written for another reason.
 /// Where several buckets drive the expander, that can be the flush of any of them, at any time until the next command.
-/// Takes the command off such outputs: those of an expander with devices of several periods that show the value they
-/// have shown before. `parts` is in the order of time.
-void leave_out_repeated(const Robot& robot, std::vector<PartRecord>& parts);
+/// Such outputs are those of an expander with devices of several periods that show the value they have shown before.
+/// `parts` is in the order of time.
+void note_repeated(const Robot& robot, std::vector<PartRecord>& parts);
 
 }  // namespace finemote::gen

@@ -1,16 +1,55 @@
 #include "generator/run/responses.hpp"
 
+#include <algorithm>
+
 #include "generator/run/measure.hpp"
 
 namespace finemote::gen {
 namespace {
 
-std::vector<Duration> responses(const RunRecord& record, DeviceId device, bool is_handle, Duration period) {
-  std::vector<Duration> list;
-  for (const StageRun& run : stage_runs(record, device, is_handle)) {
-    if (run.begin >= record.ready) list.push_back(record.true_time(run.end - round_down(run.begin, period)));
+/// Releases of one bucket, each of which has its job: in their order, but where overruns were counted or the board
+/// began anew, whose releases have none.
+class Releases {
+ public:
+  Releases(Duration period, bool has_all_jobs) : period_(period), has_all_jobs_(has_all_jobs) {}
+
+  /// Of the next job, which began then.
+  Duration take(Duration begin) {
+    const Duration last = round_down(begin, period_);
+    const Duration release = has_all_jobs_ ? std::min(next_, last) : last;
+    next_ = release + period_;
+    return release;
   }
-  return list;
+  /// Of the job after those, where that is known.
+  [[nodiscard]] std::optional<Duration> next() const { return has_all_jobs_ ? std::optional(next_) : std::nullopt; }
+
+ private:
+  Duration period_;
+  bool has_all_jobs_;
+  Duration next_{};
+};
+
+struct Responses {
+  std::vector<Duration> seen;
+  std::optional<Duration> open;  ///< of a job that had not ended by the end of the run: so far
+};
+
+Responses responses(const RunRecord& record, DeviceId device, bool is_handle, Releases releases) {
+  Responses all;
+  for (const StageRun& run : stage_runs(record, device, is_handle)) {
+    const Duration release = releases.take(run.begin);
+    if (run.begin >= record.ready) all.seen.push_back(record.true_time(run.end - release));
+  }
+  const Duration end = record.ready + record.judged_for;
+  const auto next = releases.next();
+  if (next && end > *next) all.open = record.true_time(end - *next);
+  return all;
+}
+
+/// What is open counts once it is late: it may still end in time.
+Measured measured(Responses responses, std::optional<Duration> bound) {
+  if (bound && responses.open && *responses.open > *bound) responses.seen.push_back(*responses.open);
+  return {summarize(responses.seen), bound};
 }
 
 /// The spread of a series as a series of its own.
@@ -20,16 +59,18 @@ Statistics spread(const Statistics& series) {
 
 }  // namespace
 
-std::vector<MeasuredResponse> measure_responses(const Robot& robot, const Forest& forest, const timing::Timing& timing,
-                                                const RunRecord& record) {
+std::vector<MeasuredResponse> measure_responses(const Robot& robot, const Forest& forest, const Schedule& schedule,
+                                                const timing::Timing& timing, const RunRecord& record) {
   const timing::ProfileResult& bounds = timing.verdict();
   std::vector<MeasuredResponse> all;
   for (const Rank rank : forest.order.ids()) {
     const DeviceId device = forest.order[rank];
-    const Duration period = robot.devices[device].period;
+    const std::size_t bucket = schedule.bucket_of[device];
+    const bool has_overrun = bucket < record.overruns.size() && record.overruns[bucket] > 0;
+    const Releases releases(robot.devices[device].period, !has_overrun && record.resets + record.scripted_resets == 0);
     MeasuredResponse one{device, {}, {}, {}};
-    one.update = {summarize(responses(record, device, false, period)), bounds.devices[rank].r_plus};
-    one.handle = {summarize(responses(record, device, true, period)), bounds.devices[rank].r_minus};
+    one.update = measured(responses(record, device, false, releases), bounds.devices[rank].r_plus);
+    one.handle = measured(responses(record, device, true, releases), bounds.devices[rank].r_minus);
     one.jitter = {spread(one.handle.observed), timing::jitter_bound(timing.model, bounds, rank)};
     all.push_back(one);
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "generator/run/measured.hpp"
+#include "generator/schedule/schedule.hpp"
 #include "generator/timing/analyse.hpp"
 
 namespace finemote::gen {
@@ -19,9 +20,10 @@ inline constexpr std::array<Figure<MeasuredResponse>, 3> kResponseFigures{{{"upd
                                                                            {"handle", &MeasuredResponse::handle},
                                                                            {"jitter", &MeasuredResponse::jitter}}};
 
-/// Of every device and every job after the bring-up, in the order of `forest`. A stage belongs to the last release
-/// before it began: where no job overran.
-std::vector<MeasuredResponse> measure_responses(const Robot& robot, const Forest& forest, const timing::Timing& timing,
-                                                const RunRecord& record);
+/// Of every device and every job after the bring-up, in the order of `forest`. Every release has its job, so one that
+/// is lost makes all jobs behind it late; where overruns were counted or the board began anew, a stage belongs to the
+/// last release before it began.
+std::vector<MeasuredResponse> measure_responses(const Robot& robot, const Forest& forest, const Schedule& schedule,
+                                                const timing::Timing& timing, const RunRecord& record);
 
 }  // namespace finemote::gen

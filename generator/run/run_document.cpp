@@ -27,15 +27,16 @@ Json statistics(const Measured& figure) {
 }
 
 /// Says of what is broken which violated assumption it rests on.
-Json excused(Json document, const RunResult& result, const Journey& journey, Judgement judged) {
+/// @param was_broken  before that
+Json excused(Json document, const RunResult& result, const Journey& journey, Judgement judged, bool was_broken) {
   const auto assumption = violated_assumption(result.robot, result.record.violated, journey);
-  if (assumption && judged == Judgement::broken) document["assumption"] = *assumption;
+  if (assumption && judged == Judgement::broken && !was_broken) document["assumption"] = *assumption;
   return document;
 }
 
 Json statistics(const RunResult& result, const MeasuredChain& chain, Measured MeasuredChain::*figure) {
   const Measured& measured = chain.*figure;
-  return excused(statistics(measured), result, journey_of(chain, figure), measured.judged());
+  return excused(statistics(measured), result, journey_of(chain, figure), measured.judged(), measured.was_broken);
 }
 
 Json own_time(const RunResult& result, DeviceId device, bool is_handle) {
@@ -116,7 +117,7 @@ Json response_list(const RunResult& result) {
                             {"handle_max_ns", largest(response.handle)},
                             {"handle_bound_ns", bound(response.handle.bound)},
                             {"judged", judgement_name(judged)}},
-                           result, {}, judged));
+                           result, {}, judged, response.update.was_broken || response.handle.was_broken));
   }
   return list;
 }
@@ -129,7 +130,7 @@ Json jitter_list(const RunResult& result) {
                             {"max_ns", largest(response.jitter)},
                             {"bound_ns", bound(response.jitter.bound)},
                             {"judged", judgement_name(judged)}},
-                           result, {}, judged));
+                           result, {}, judged, response.jitter.was_broken));
   }
   return list;
 }
@@ -137,11 +138,13 @@ Json jitter_list(const RunResult& result) {
 Json claim_list(const RunResult& result) {
   Json list = Json::array();
   for (const MeasuredClaim& claim : result.figures.claims) {
-    const Json entry = {{"device", name_of(result, claim.device)},
-                        {"lead_max_ns", largest(claim.lead)},
-                        {"allowed_ns", bound(claim.lead.bound)},
-                        {"judged", judgement_name(claim.lead.judged())}};
-    list.push_back(excused(entry, result, {claim.device, {}}, claim.lead.judged()));
+    const bool is_old = claim.age.judged() == Judgement::broken;
+    const Judgement judged = is_old ? Judgement::broken : claim.lead.judged();
+    const Json entry = {{"device", name_of(result, claim.device)}, {"lead_max_ns", largest(claim.lead)},
+                        {"allowed_ns", bound(claim.lead.bound)},   {"age_max_ns", largest(claim.age)},
+                        {"age_bound_ns", bound(claim.age.bound)},  {"judged", judgement_name(judged)}};
+    const bool was_broken = claim.lead.was_broken || claim.age.was_broken;
+    list.push_back(excused(entry, result, {claim.device, {}}, judged, was_broken));
   }
   return list;
 }

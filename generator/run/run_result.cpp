@@ -25,16 +25,23 @@ namespace {
 struct Judged {
   Judgement judgement;
   Journey journey;
+  bool was_broken;
 };
+
+Judged judged_of(const Measured& figure, const Journey& journey) {
+  return {figure.judged(), journey, figure.was_broken};
+}
 
 std::vector<Judged> judgements(const RunResult& result) {
   std::vector<Judged> all;
   for (const MeasuredChain& chain : result.figures.chains) {
-    for (const auto& [name, figure] : kChainFigures)
-      all.push_back({(chain.*figure).judged(), journey_of(chain, figure)});
+    for (const auto& [name, figure] : kChainFigures) {
+      if (chain.has_wire || figure != &MeasuredChain::wire)
+        all.push_back(judged_of(chain.*figure, journey_of(chain, figure)));
+    }
   }
   for (const MeasuredResponse& response : result.figures.responses) {
-    for (const auto& [name, figure] : kResponseFigures) all.push_back({(response.*figure).judged(), {}});
+    for (const auto& [name, figure] : kResponseFigures) all.push_back(judged_of(response.*figure, {}));
   }
   return all;
 }
@@ -43,23 +50,51 @@ bool has(const std::vector<Judged>& all, Judgement one) {
   return std::any_of(all.begin(), all.end(), [&](const Judged& judged) { return judged.judgement == one; });
 }
 
-/// Broken although nothing that the scenario does takes the ground from its bound.
+/// Broken although nothing that the scenario does takes the ground from its bound, or before it did.
 bool is_wrong(const RunResult& result, const Judged& judged) {
-  return judged.judgement == Judgement::broken &&
-         !violated_assumption(result.robot, result.record.violated, judged.journey);
+  if (judged.judgement != Judgement::broken) return false;
+  return judged.was_broken || !violated_assumption(result.robot, result.record.violated, judged.journey);
+}
+
+/// A part that is not there answers no transfer; a line that parts send on by themselves is quiet then.
+bool is_missed(const Robot& robot, const RunRecord& record, BusId bus) {
+  const BusType& type = bus_type(robot.buses[bus].kind);
+  return type.bus_class.supervised &&
+         std::any_of(record.silent.begin(), record.silent.end(), [&](const std::string& name) {
+           return std::any_of(robot.devices.begin(), robot.devices.end(), [&](const Device& device) {
+             return device.name.text == name && device.segment && robot.segments[*device.segment].bus == bus;
+           });
+         });
+}
+
+/// As modules of faults are called: kinds of buses with a part that is not there, where no other bus of the kind saw an
+/// error.
+std::set<std::string> kinds_of_silent_buses(const Robot& robot, const RunRecord& record) {
+  std::set<std::string> silent, disturbed;
+  for (const BusRecord& bus : record.buses) {
+    const std::string kind(bus_type(robot.buses[bus.bus].kind).name);
+    if (is_missed(robot, record, bus.bus))
+      silent.insert(kind);
+    else if (bus.errors > 0)
+      disturbed.insert(kind);
+  }
+  std::erase_if(silent, [&](const std::string& kind) { return disturbed.count(kind) > 0; });
+  return silent;
 }
 
 }  // namespace
 
 bool RunResult::bounds_hold() const {
   const std::vector<Judged> all = judgements(*this);
-  const bool is_monitored_well = violations() == 0 || !record.violated.empty();
-  return is_monitored_well && std::none_of(all.begin(), all.end(), [&](const Judged& j) { return is_wrong(*this, j); });
+  return record.late_violations == 0 &&
+         std::none_of(all.begin(), all.end(), [&](const Judged& j) { return is_wrong(*this, j); });
 }
 
 bool RunResult::claims_hold() const {
   return std::none_of(figures.claims.begin(), figures.claims.end(), [&](const MeasuredClaim& claim) {
-    return is_wrong(*this, {claim.lead.judged(), {claim.device, {}}});
+    return std::any_of(kClaimFigures.begin(), kClaimFigures.end(), [&](const auto& figure) {
+      return is_wrong(*this, judged_of(claim.*figure.measured, {claim.device, {}}));
+    });
   });
 }
 
@@ -70,22 +105,20 @@ bool RunResult::is_judged() const {
 
 bool RunResult::is_all_judged() const {
   const std::vector<Judged> all = judgements(*this);
-  return is_judged() && !has(all, Judgement::no_sample) && !has(all, Judgement::no_bound);
+  const bool are_all_seen = std::none_of(figures.claims.begin(), figures.claims.end(), [](const MeasuredClaim& claim) {
+    return claim.age.judged() == Judgement::no_sample;
+  });
+  return is_judged() && are_all_seen && !has(all, Judgement::no_sample) && !has(all, Judgement::no_bound);
 }
 
 std::vector<FaultCount> RunResult::unexplained_faults() const {
-  std::set<std::string> silent;  // kinds of buses that a part without a model sits on, by which modules are called
-  for (const Device& device : robot.devices) {
-    const bool is_silent =
-        std::find(record.silent.begin(), record.silent.end(), device.name.text) != record.silent.end();
-    if (is_silent && device.segment) silent.emplace(bus_type(robot.segments[*device.segment].bus_kind).name);
-  }
+  const std::set<std::string> silent = kinds_of_silent_buses(robot, record);
   std::vector<FaultCount> faults;
   for (const FaultCount& fault : record.late_faults) {
     const FaultMeaning* meaning = meaning_of(fault_table, fault);
     if (meaning == nullptr || silent.count(meaning->module_name) == 0) faults.push_back(fault);
   }
-  return record.violated.empty() ? faults : std::vector<FaultCount>{};
+  return faults;
 }
 
 bool RunResult::good() const {

@@ -38,15 +38,15 @@ struct RunResult {
 
   [[nodiscard]] std::uint64_t overruns() const;
   [[nodiscard]] std::uint64_t violations() const;  ///< counted by the monitor
-  /// No figure is above its bound, but for those that rest on an assumption that the scenario violates.
+  /// No figure is above its bound, but for those that rest on an assumption that the scenario has violated before.
   [[nodiscard]] bool bounds_hold() const;
-  /// No device claims its data fresher than they are, but for the same.
+  /// No device claims its data fresher than they are, or uses some that it says are too old, but for the same.
   [[nodiscard]] bool claims_hold() const;
   /// Some bound was held or broken.
   [[nodiscard]] bool is_judged() const;
   /// Every bound there could be was held or broken.
   [[nodiscard]] bool is_all_judged() const;
-  /// Faults counted after the bring-up that nothing explains: no scenario, and no part that is not there.
+  /// Faults counted after the bring-up that nothing explains: no fault of a scenario before, no part that is not there.
   [[nodiscard]] std::vector<FaultCount> unexplained_faults() const;
   /// Of the run itself, whatever the analysis says: no overrun, no reset, no stage out of order or longer than its
   /// WCET, no loop longer than its mark says, no bus with more

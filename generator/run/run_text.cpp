@@ -151,12 +151,18 @@ void print_responses(const RunResult& result, bool is_verbose, std::ostream& out
   }
 }
 
-/// Time stamps that cannot be true.
+/// Time stamps that cannot be true, and data that are too old by them.
 void print_claims(const RunResult& result, std::ostream& out) {
   for (const MeasuredClaim& claim : result.figures.claims) {
-    if (claim.lead.judged() != Judgement::broken) continue;
-    out << fmt::format("\nFALSE TIME STAMP: '{}' claims data up to {:.3f} us fresher than they are\n",
-                       name_of(result, claim.device), microseconds_of(claim.lead.observed.max));
+    const std::string& name = name_of(result, claim.device);
+    if (claim.lead.judged() == Judgement::broken)
+      out << fmt::format("\nFALSE TIME STAMP: '{}' claims data up to {:.3f} us fresher than they are\n", name,
+                         microseconds_of(claim.lead.observed.max));
+    if (claim.age.judged() == Judgement::broken)
+      out << fmt::format(
+          "\nOLD DATA: '{}' has data that it says are valid and up to {:.3f} us old: acquire has a bound of {:.3f} "
+          "us\n",
+          name, microseconds_of(claim.age.observed.max), microseconds_of(*claim.age.bound));
   }
 }
 
@@ -185,6 +191,11 @@ void print_wcets(const RunResult& result, std::ostream& out) {
     out << fmt::format("  {:<28} {}\n", name_of(result, wcet.device), wcet_element(wcet));
 }
 
+bool is_without(const MeasuredChain& chain, const Figure<MeasuredChain>& figure) {
+  return figure.measured == &MeasuredChain::wire && !chain.has_wire;
+}
+bool is_without(const MeasuredResponse&, const Figure<MeasuredResponse>&) { return false; }
+
 /// What has no sample or no bound, a line each.
 void print_unjudged(const RunResult& result, std::ostream& out) {
   if (!result.must_judge || result.is_all_judged()) return;
@@ -198,13 +209,17 @@ void print_unjudged(const RunResult& result, std::ostream& out) {
   const auto add = [&](const std::string& name, const auto& of, const auto& figures) {
     std::string list;
     for (const auto& figure : figures) {
-      const char* why = reason(of.*figure.measured);
+      const char* why = is_without(of, figure) ? nullptr : reason(of.*figure.measured);
       if (why != nullptr) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", figure.name, why);
     }
     if (!list.empty()) lines += fmt::format("  {:<{}} {}\n", name, width, list);
   };
   for (const MeasuredChain& chain : result.figures.chains) add(name_of(result, chain), chain, kChainFigures);
   for (const MeasuredResponse& r : result.figures.responses) add(name_of(result, r.device), r, kResponseFigures);
+  for (const MeasuredClaim& claim : result.figures.claims) {
+    if (claim.age.judged() == Judgement::no_sample)
+      lines += fmt::format("  {:<{}} its data (never seen to be valid)\n", name_of(result, claim.device), width);
+  }
   if (!lines.empty()) out << "\nnot judged\n" << lines;
 }
 

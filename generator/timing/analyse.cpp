@@ -167,11 +167,14 @@ std::vector<ChainRequest> asked_chains(const AnalysisRequest& request, const std
   return chains;
 }
 
+bool is_among(const std::vector<ChainResult>& chains, Rank from, Rank to) {
+  return std::any_of(chains.begin(), chains.end(),
+                     [&](const ChainResult& chain) { return chain.from == from && chain.to == to; });
+}
+
 /// Adds a chain that is not there yet and that data can take.
 void add_chain(const ChainAnalysis& analysis, const ChainRequest& wanted, std::vector<ChainResult>& chains) {
-  const bool known = std::any_of(chains.begin(), chains.end(), [&](const ChainResult& chain) {
-    return chain.from == wanted.from && chain.to == wanted.to;
-  });
+  const bool known = is_among(chains, wanted.from, wanted.to);
   if (!known && analysis.connected(wanted.from, wanted.to)) chains.push_back(analysis.bound(wanted.from, wanted.to));
 }
 
@@ -234,6 +237,10 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   if (diagnostics.has_errors()) return std::nullopt;
   const std::vector<Requirement> requirements = reach_actuators(request.requirements, model, topology);
   for (const ChainRequest& c : asked_chains(request, requirements)) add_chain(chains, c, timing.chains);
+  if (request.every) {
+    timing.others = chains.every();
+    std::erase_if(timing.others, [&](const ChainResult& c) { return is_among(timing.chains, c.from, c.to); });
+  }
   const Evaluation evaluation(model, best, chains, wire.loads());
   if (!request.chains_alone) {
     for (const Requirement& r : requirements) timing.requirements.push_back(evaluation.evaluate(r));

@@ -44,6 +44,7 @@ struct AnalysisRequest {
   std::vector<Requirement> requirements;
   bool chains_alone = false;  ///< requirements add their chains, and are not judged
   bool inputs = false;        ///< fill Timing::inputs
+  bool every = false;         ///< fill Timing::others
   Remodel remodel;            ///< to look for hints that help; none: messages are without them
   Limits limits;              ///< of each profile and of the chains
   bool verdict_only = false;  ///< deadlines and loads of the asked profile; no latency, chain, path or window
@@ -65,6 +66,7 @@ struct Timing {
   Profile asked = Profile::tight;   ///< of the verdict
   std::vector<ChainResult> chains;  ///< of the best profile
   std::vector<ChainResult> inputs;  ///< on request: the oldest data behind every command (ChainAnalysis::oldest_inputs)
+  std::vector<ChainResult> others;  ///< on request: chains that are not among `chains` (ChainAnalysis::every)
   std::vector<RequirementResult> requirements;
   Table<BusPlace, BusLoad> bus_loads;
   std::vector<ProcessorUse> processor;  ///< in the asked profile, largest load first

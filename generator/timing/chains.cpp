@@ -231,4 +231,15 @@ std::vector<ChainResult> ChainAnalysis::oldest_inputs() const {
   return results;
 }
 
+std::vector<ChainResult> ChainAnalysis::every() const {
+  std::vector<ChainResult> results;
+  for (const Rank to : model_.devices.ids()) {
+    if (!model_.devices[to].takes_command) continue;
+    for (const Rank from : reach_.sources_of(reach_.turns_above(to))) {
+      if (results.size() < kMostPairs) results.push_back(bound(from, to));
+    }
+  }
+  return results;
+}
+
 }  // namespace finemote::gen::timing

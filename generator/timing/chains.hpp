@@ -52,6 +52,10 @@ class ChainAnalysis {
   /// The same for every device below another that takes a command, leaf or not. Throws Overflow.
   [[nodiscard]] std::vector<ChainResult> oldest_inputs() const;
 
+  /// From every source to every device that its data reach as a command, leaf or not: the first kMostPairs of them.
+  /// Throws Overflow.
+  [[nodiscard]] std::vector<ChainResult> every() const;
+
  private:
   [[nodiscard]] ChainResult complete(Rank from, Rank to, const Decision& decision) const;
   [[nodiscard]] std::vector<ChainResult> worst_of_pairs(const std::vector<Rank>& sources,

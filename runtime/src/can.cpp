@@ -68,6 +68,7 @@ CanSlot::Received CanSlot::received(unsigned entry) const {
 bool CanSlot::set_shared(const std::uint8_t* bytes) { return bus_->set_shared(*this, bytes); }
 
 bool CanSlot::send(const CanFrame& frame) {
+  mark_hand_over();
   const std::uint32_t own = bit_of(place_);
   if ((bus_->waiting_slots_.load() & own) != 0) return false;
   out_ = frame;
@@ -202,6 +203,7 @@ CanBus::Group* CanBus::find_group(std::uint16_t id) {
 }
 
 bool CanBus::set_shared(const CanSlot& slot, const std::uint8_t* bytes) {
+  mark_hand_over();
   const CanShare& share = slot.share_;
   Group* const group = group_of(slot);
   if (group == nullptr) {

@@ -15,7 +15,9 @@ enum PwmFault : std::uint8_t { kNotTunable = 16 };
 
 void PwmOutput::set(std::uint8_t channel, std::uint32_t pulse) {
   if (channel >= count_) return;
-  if (channels_[channel].pulse.exchange(pulse) != pulse) changed_.set_bits(std::uint32_t{1} << channel);
+  if (channels_[channel].pulse.exchange(pulse) == pulse) return;
+  mark_hand_over();
+  changed_.set_bits(std::uint32_t{1} << channel);
 }
 
 void PwmOutput::set_safe(std::uint8_t channel, std::uint32_t pulse) {

@@ -209,6 +209,15 @@ def outputs_of(phase):
     return reached
 
 
+def overtaken_in(phase):
+    """When an output showed that the command a driver was given in a job would not come any more, by device and job."""
+    overtaken = {}
+    for event in phase.events:
+        if event["what"] == "superseded" and event["sent"]:
+            overtaken.setdefault((event["device"], event["job"]), event["t"])
+    return overtaken
+
+
 class Longest:
     """The largest value of each figure, and how many there were."""
 
@@ -229,6 +238,7 @@ class Measures:
         self.stages = self.execution.stages
         self.number = {(s["device"], s["stage"] == "handle"): k for k, s in enumerate(phase.header["stages"])}
         self.used, self.reached = used_of(phase, samples_of(phase)), outputs_of(phase)
+        self.overtaken = overtaken_in(phase)
         self.longest = Longest()
         self.false_claims = []  # (device, in words)
         for source, target in chains:
@@ -265,8 +275,9 @@ class Measures:
                 self.longest.add((source, target, "acquire"), start - taken)
             if taken is not None and claimed is not None:
                 self.longest.add((source, target, "claim"), start - claimed)
-            if reached is not None:
-                self.longest.add((source, target, "wire"), reached - end)
+            waited_to = reached if reached is not None else self.overtaken.get((target, job))
+            if waited_to is not None:
+                self.longest.add((source, target, "wire"), waited_to - end)
             if taken is not None and reached is not None:
                 self.longest.add((source, target, "end_to_end"), reached - taken)
 

@@ -116,6 +116,13 @@ class Verdicts(unittest.TestCase):
         events = record() + [{"t": 2000 * US, "what": "overrun", "exception": 64}, {"t": 2001 * US, "what": "reset"}]
         self.assertEqual(len(verdict(events, analysis()).broken), 2)
 
+    def test_a_command_that_was_overtaken_waited_for_what_came_instead(self):
+        for sent, broken in ((True, ["eye hand wire"]), (False, [])):
+            events = [event for event in record() if (event["what"], event.get("job")) != ("output", 0)]
+            events.append({"t": 1040 * US, "what": "superseded", "device": "hand", "job": 0, "sent": sent})
+            seen = verdict(events, analysis())
+            self.assertEqual([line.split(":")[0] for line in seen.broken], broken)
+
     def test_what_has_no_sample_does_not_count(self):
         events = [event for event in record() if event["what"] != "output"]
         self.assertEqual(verdict(events, analysis()).chains, [])

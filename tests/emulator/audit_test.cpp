@@ -78,7 +78,7 @@ TEST_CASE("times rise, and every kind of line has its members") {
                                                                 {"sample", {"part", "channel", "n", "from"}},
                                                                 {"used", {"device", "channel", "n", "claimed"}},
                                                                 {"output", {"part", "channel", "device", "job"}},
-                                                                {"superseded", {"device", "job"}}};
+                                                                {"superseded", {"device", "job", "sent"}}};
   std::set<std::string> seen;
   for (const std::string& robot : {kSensor, kExpander}) {
     const Audited audit(robot, "200ms");

@@ -1,6 +1,7 @@
 // Robots whose bounds were once broken, or would be by a cost that is left out: everything that is judged holds, and no
 // bound holds by being far too large.
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 #include "catch.hpp"
@@ -173,6 +174,29 @@ TEST_CASE("where an interrupt keeps the release from ending before the next one,
 
 TEST_CASE("bounds include the trace that is asked for") {
   check_holds(run(source_path("tests/emulator/bounds/traced.urdf"), "200ms", {"--trace"}));
+}
+
+TEST_CASE("a command that never leaves is late, whichever comes instead of it") {
+  const TemporaryFolder folder;
+  const std::string audit = folder.path("audit.jsonl");
+  const Ran ran = run(source_path("tests/emulator/bounds/busy_valve.urdf"), "300ms", {"--audit", audit});
+  CHECK(ran.exit_status == 1);
+  REQUIRE(ran.document["chains"].size() == 1);
+  const Json& wire = ran.document["chains"][0]["wire"];
+  INFO(wire.dump());
+  CHECK(wire["judged"] == "broken");
+  CHECK(wire["max_ns"].get<std::int64_t>() > 44'000'000);  // nine periods, and a transfer
+  CHECK(wire["max_ns"].get<std::int64_t>() < 46'000'000);
+  std::istringstream lines(read_file(audit));
+  int sent = 0, superseded = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const Json event = Json::parse(line);
+    if (event["what"] != "superseded") continue;
+    ++superseded;
+    sent += event["sent"].get<bool>() ? 1 : 0;
+  }
+  CHECK(superseded > 45);
+  CHECK(sent == superseded);
 }
 
 TEST_CASE("no latency over an overloaded bus has a bound, however urgent the frame") {

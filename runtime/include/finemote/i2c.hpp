@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "finemote/bus_counters.hpp"
+#include "finemote/mark.hpp"
 #include "finemote/ports.hpp"
 #include "finemote/single_core.hpp"
 #include "finemote/slot_state.hpp"
@@ -42,8 +43,13 @@ class I2cSlot {
   /// Asks for a transfer: `write_size` bytes out, then, after a repeated START, `read_size` bytes in; either may be 0.
   /// Then, in the same unit, a second exchange of `then_size` bytes out, if not 0.
   /// False, and nothing is changed, while busy(). While the bus is being recovered it returns true and fails at once.
-  bool start(const std::uint8_t* write, std::size_t write_size, std::uint8_t* read = nullptr, std::size_t read_size = 0,
+  bool start(const std::uint8_t* write, std::size_t write_size, std::uint8_t* read, std::size_t read_size,
              const std::uint8_t* then = nullptr, std::size_t then_size = 0);
+  /// The same of bytes that only go out: what a handle() sends is its command.
+  bool start(const std::uint8_t* write, std::size_t write_size) {
+    mark_hand_over();
+    return start(write, write_size, nullptr, 0);
+  }
 
   /// What became of the last transfer. Context: any.
   [[nodiscard]] SlotState state() const { return state_.load(); }

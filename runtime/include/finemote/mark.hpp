@@ -34,11 +34,17 @@ enum class Work : std::uint32_t {
   flush_pwm,
   flush_expander,
   flush_can,
-  masked,  ///< interrupts are kept out
+  masked,     ///< interrupts are kept out
+  hand_over,  ///< a driver is given something to send: only the begin
 };
 
 /// Marks of stages are below it: 65536 stages have two each, and each of these begin and end.
 constexpr std::uint32_t kFirstWorkMark = 0x40000;
+
+/// Of the handle() that runs here tools expect an output from now on: of it, or of a later run.
+[[gnu::always_inline]] inline void mark_hand_over() {
+  mark<kFirstWorkMark + 2U * static_cast<std::uint32_t>(Work::hand_over)>();
+}
 
 template <Work work>
 using MarkedWork = Marked<kFirstWorkMark + 2U * static_cast<std::uint32_t>(work)>;
