@@ -73,12 +73,12 @@ namespace {
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
     {0, 259825, finemote::kNothingToBound, nullptr},  // imu
-    {1, 556140, finemote::kNothingToBound, nullptr},  // depth
-    {1, 553308, finemote::kNothingToBound, nullptr},  // button
-    {1, 550542, 24123638, &station::servo.command},  // servo
-    {1, 545806, 24118902, &station::green_led.command},  // green_led
-    {1, 539699, 24112796, &station::blue_led.command},  // blue_led
-    {1, 533719, finemote::kNothingToBound, nullptr},  // station
+    {1, 556134, finemote::kNothingToBound, nullptr},  // depth
+    {1, 553302, finemote::kNothingToBound, nullptr},  // button
+    {1, 550536, 24123638, &station::servo.command},  // servo
+    {1, 545800, 24118902, &station::green_led.command},  // green_led
+    {1, 539693, 24112796, &station::blue_led.command},  // blue_led
+    {1, 533713, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace discovery {
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 532.759 us of its release.
+/// a job ends within 532.753 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -23,12 +23,12 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds imu{254359, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{525311, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{525311, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{525311, 24111506, 24207142};
-inline constexpr finemote::Bounds green_led{523275, 24109470, 24207142};
-inline constexpr finemote::Bounds blue_led{519868, 24106129, 24207076};
-inline constexpr finemote::Bounds station{516588, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{525305, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{525305, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{525305, 24111506, 24207142};
+inline constexpr finemote::Bounds green_led{523269, 24109470, 24207142};
+inline constexpr finemote::Bounds blue_led{519862, 24106129, 24207076};
+inline constexpr finemote::Bounds station{516582, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

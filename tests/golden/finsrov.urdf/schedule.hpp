@@ -13,7 +13,7 @@ namespace FinsROV {
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 944.031 us of its release.
+/// a job ends within 942 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -23,19 +23,19 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds imu{374424, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{888539, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{888539, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{888539, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{888539, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{888539, 31192853, 35030813};
-inline constexpr finemote::Bounds thruster_2{886681, 31190994, 35030812};
-inline constexpr finemote::Bounds thruster_3{884823, 31189071, 35030814};
-inline constexpr finemote::Bounds thruster_4{882965, 31184615, 35028216};
-inline constexpr finemote::Bounds thruster_5{881035, 31182751, 35028216};
-inline constexpr finemote::Bounds thruster_6{876585, 31180899, 35028216};
-inline constexpr finemote::Bounds thruster_7{874727, 31178975, 35028150};
-inline constexpr finemote::Bounds thruster_8{872869, 31177117, 35028150};
-inline constexpr finemote::Bounds rov{871011, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{889181, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{889181, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{889181, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{889181, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{889181, 31193489, 35012914};
+inline constexpr finemote::Bounds thruster_2{887240, 31191547, 35028775};
+inline constexpr finemote::Bounds thruster_3{885299, 31189541, 35028710};
+inline constexpr finemote::Bounds thruster_4{883358, 31187599, 35028776};
+inline constexpr finemote::Bounds thruster_5{881411, 31183055, 35026179};
+inline constexpr finemote::Bounds thruster_6{876812, 31181120, 35026179};
+inline constexpr finemote::Bounds thruster_7{874871, 31179113, 35026113};
+inline constexpr finemote::Bounds thruster_8{872930, 31177172, 35026113};
+inline constexpr finemote::Bounds rov{870989, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 196143, finemote::kNothingToBound, nullptr},  // imu
-    {0, 190091, 28545262, &gimbal::yaw.command},  // yaw
-    {0, 182724, 28537895, &gimbal::pitch.command},  // pitch
-    {1, 236858, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 310019, 26665090, &chassis::front_left.command},  // front_left
-    {2, 302908, 26657979, &chassis::front_right.command},  // front_right
-    {2, 295724, 26650795, &chassis::rear_left.command},  // rear_left
-    {2, 288613, 26643684, &chassis::rear_right.command},  // rear_right
-    {2, 281496, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 390954, finemote::kNothingToBound, nullptr},  // remote
+    {0, 196822, finemote::kNothingToBound, nullptr},  // imu
+    {0, 190770, 28545941, &gimbal::yaw.command},  // yaw
+    {0, 183397, 28538568, &gimbal::pitch.command},  // pitch
+    {1, 237537, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 310722, 26665793, &chassis::front_left.command},  // front_left
+    {2, 303605, 26658676, &chassis::front_right.command},  // front_right
+    {2, 296415, 26651486, &chassis::rear_left.command},  // rear_left
+    {2, 289298, 26644369, &chassis::rear_right.command},  // rear_right
+    {2, 282175, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 391657, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -73,13 +73,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 361661, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 258988, 29079264, &arm::base.command},  // base
-    {0, 251877, 29072153, &arm::shoulder.command},  // shoulder
-    {0, 244760, 29065036, &arm::elbow.command},  // elbow
-    {0, 237648, 29057924, &arm::wrist_roll.command},  // wrist_roll
-    {0, 213156, 29033432, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 206045, 29026321, &arm::flange.command},  // flange
+    {1, 361697, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 259024, 29079300, &arm::base.command},  // base
+    {0, 251907, 29072183, &arm::shoulder.command},  // shoulder
+    {0, 244784, 29065060, &arm::elbow.command},  // elbow
+    {0, 237666, 29057942, &arm::wrist_roll.command},  // wrist_roll
+    {0, 213168, 29033444, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 206051, 29026327, &arm::flange.command},  // flange
     {0, 193306, finemote::kNothingToBound, nullptr},  // arm
 };
 

@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 215.658 us of its release.
+/// a job ends within 215.694 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 310.084 us of its release.
+/// a job ends within 310.12 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{310084, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{212812, 29033088, 29350073};
-inline constexpr finemote::Bounds shoulder{208401, 29028677, 29350074};
-inline constexpr finemote::Bounds elbow{203984, 29024260, 29350074};
-inline constexpr finemote::Bounds wrist_roll{193951, 29014227, 29344452};
-inline constexpr finemote::Bounds wrist_pitch{189534, 29009810, 29344452};
-inline constexpr finemote::Bounds flange{185123, 29005399, 29344452};
+inline constexpr finemote::Bounds sticks{310120, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{212848, 29033124, 29350109};
+inline constexpr finemote::Bounds shoulder{208431, 29028707, 29350110};
+inline constexpr finemote::Bounds elbow{204008, 29024284, 29350110};
+inline constexpr finemote::Bounds wrist_roll{193969, 29014245, 29344488};
+inline constexpr finemote::Bounds wrist_pitch{189546, 29009822, 29344488};
+inline constexpr finemote::Bounds flange{185129, 29005405, 29344488};
 inline constexpr finemote::Bounds arm{180706, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 

@@ -23,57 +23,57 @@ namespace FinsROV::rov {
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_uart};
 
 /// baro_1: ms5837 on 'segment_0' at 0x76, every 10 ms
-/// response <= 888.539 us
+/// response <= 889.181 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_1{finemote::Ms5837::Config{}, slots::baro_1};
 
 /// baro_2: ms5837 on 'segment_1' at 0x76, every 10 ms
-/// response <= 888.539 us
+/// response <= 889.181 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_2{finemote::Ms5837::Config{}, slots::baro_2};
 
 /// baro_3: ms5837 on 'segment_2' at 0x76, every 10 ms
-/// response <= 888.539 us
+/// response <= 889.181 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_3{finemote::Ms5837::Config{}, slots::baro_3};
 
 /// baro_4: ms5837 on 'segment_3' at 0x76, every 10 ms
-/// response <= 888.539 us
+/// response <= 889.181 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{finemote::Ms5837::Config{}, slots::baro_4};
 
 /// thruster_1: pwm_esc on 'pwm' channel 0, every 10 ms
-/// response <= 888.539 us; data age <= 31.193 ms when handle() ends, <= 35.031 ms at the output (oldest: baro_4)
+/// response <= 889.181 us; data age <= 31.194 ms when handle() ends, <= 35.013 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 0}};
 
 /// thruster_2: pwm_esc on 'pwm' channel 1, every 10 ms
-/// response <= 886.681 us; data age <= 31.191 ms when handle() ends, <= 35.031 ms at the output (oldest: baro_4)
+/// response <= 887.24 us; data age <= 31.192 ms when handle() ends, <= 35.029 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 1}};
 
 /// thruster_3: pwm_esc on 'pwm' channel 2, every 10 ms
-/// response <= 884.823 us; data age <= 31.19 ms when handle() ends, <= 35.031 ms at the output (oldest: baro_2)
+/// response <= 885.299 us; data age <= 31.19 ms when handle() ends, <= 35.029 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 2}};
 
 /// thruster_4: pwm_esc on 'pwm' channel 3, every 10 ms
-/// response <= 882.965 us; data age <= 31.185 ms when handle() ends, <= 35.029 ms at the output (oldest: baro_4)
+/// response <= 883.358 us; data age <= 31.188 ms when handle() ends, <= 35.029 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 3}};
 
 /// thruster_5: pwm_esc on 'pwm' channel 4, every 10 ms
-/// response <= 881.035 us; data age <= 31.183 ms when handle() ends, <= 35.029 ms at the output (oldest: baro_4)
+/// response <= 881.411 us; data age <= 31.184 ms when handle() ends, <= 35.027 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 4}};
 
 /// thruster_6: pwm_esc on 'pwm' channel 5, every 10 ms
-/// response <= 876.585 us; data age <= 31.181 ms when handle() ends, <= 35.029 ms at the output (oldest: baro_4)
+/// response <= 876.812 us; data age <= 31.182 ms when handle() ends, <= 35.027 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
-/// response <= 874.727 us; data age <= 31.179 ms when handle() ends, <= 35.029 ms at the output (oldest: baro_4)
+/// response <= 874.871 us; data age <= 31.18 ms when handle() ends, <= 35.027 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
-/// response <= 872.869 us; data age <= 31.178 ms when handle() ends, <= 35.029 ms at the output (oldest: baro_4)
+/// response <= 872.93 us; data age <= 31.178 ms when handle() ends, <= 35.027 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 7}};
@@ -101,7 +101,7 @@ inline constexpr finemote::Port<finemote::Thruster> rov_thrusters[] = {
 }  // namespace ports
 
 /// rov: finsrov, every 10 ms
-/// response <= 871.011 us
+/// response <= 870.989 us
 FINEMOTE_CONSTINIT inline finemote::FinsRov rov{
     finemote::FinsRov::Config{},
     constants::rov_allocation,
