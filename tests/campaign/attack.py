@@ -101,6 +101,7 @@ def examine(finemote, robot, analysis, inputs, task):
             return None, said[-2000:]
         figures.take(record, disturbed)
         figures.take_findings(said)
+        figures.take_document(finemote.document)
     return figures.verdict(), ""
 
 

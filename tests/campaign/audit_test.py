@@ -123,6 +123,15 @@ class Verdicts(unittest.TestCase):
             seen = verdict(events, analysis())
             self.assertEqual([line.split(":")[0] for line in seen.broken], broken)
 
+    def test_what_the_tool_calls_broken_counts_unless_the_scenario_excuses_it(self):
+        held, broken = {"judged": "held"}, {"judged": "broken"}
+        excused = {"judged": "broken", "assumption": "bus-errors"}
+        chain = {"from": "eye", "to": "foot", **dict.fromkeys(judge.KINDS, held)}
+        for wire, claim, said in ((held, held, []), (excused, excused, []), (broken, held, ["eye -> foot wire"]), (held, broken, ["eye claims"])):
+            judged = judge.Judge(analysis())
+            judged.take_document({"chains": [{**chain, "wire": wire}], "responses": [], "jitter": [], "claims": [{"device": "eye", **claim}]})
+            self.assertEqual([line.split(" is")[0] for line in judged.broken], said)
+
     def test_what_has_no_sample_does_not_count(self):
         events = [event for event in record() if event["what"] != "output"]
         self.assertEqual(verdict(events, analysis()).chains, [])

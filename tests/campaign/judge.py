@@ -118,6 +118,12 @@ class Judge:
         """Adds what the tool itself finds of traffic: nothing of it is in the record."""
         self.broken += [line[line.index(": error") + 2:] for line in said.splitlines() if ": error[FM6015]" in line]
 
+    def take_document(self, run):
+        """Adds what the tool itself calls broken: of chains, too, that nobody asked for, and of time stamps."""
+        judged = [(f"{c['from']} -> {c['to']} {kind}", c[kind]) for c in run["chains"] for kind in KINDS]
+        judged += [(f"{one['device']} {name}", one) for name in ("responses", "jitter", "claims") for one in run[name]]
+        self.broken += [f"{name} is broken, says run" for name, one in judged if one["judged"] == "broken" and "assumption" not in one]
+
     def verdict(self):
         """Holds what all records showed against the bounds."""
         verdict = Verdict(self.broken)

@@ -33,6 +33,7 @@ class Tool:
     def __init__(self, path, folder, devices=robots.DEVICES, is_slowest=False):
         """devices: folder of the users' device types."""
         self.path, self.folder, self.devices, self.is_slowest = path, pathlib.Path(folder), devices, is_slowest
+        self.document = None  # of the last run that left a record
         self.folder.mkdir(exist_ok=True)
         # What is compiled once, the runtime, may be in the compiler's cache; a robot's own code never is, and a look there
         # costs as much as half of the compilation.
@@ -78,4 +79,5 @@ class Tool:
         answer = self.call("run", robot, "--duration", duration, "--phases", str(phases), "--seed", str(number), *silicon,
                            "--scenario", str(events), "--audit", str(record), "--keep", str(self.folder / "kept"))
         good = answer.returncode in (0, 1) and record.exists()
+        self.document = json.loads(answer.stdout) if good else None
         return (record if good else None), answer.stderr
