@@ -86,8 +86,8 @@ std::set<std::string> kinds_of_silent_buses(const Robot& robot, const RunRecord&
 
 bool RunResult::bounds_hold() const {
   const std::vector<Judged> all = judgements(*this);
-  return record.late_violations == 0 &&
-         std::none_of(all.begin(), all.end(), [&](const Judged& j) { return is_wrong(*this, j); });
+  const bool is_monitored_well = (record.violated_from ? record.late_violations : violations()) == 0;
+  return is_monitored_well && std::none_of(all.begin(), all.end(), [&](const Judged& j) { return is_wrong(*this, j); });
 }
 
 bool RunResult::claims_hold() const {
