@@ -88,7 +88,7 @@ struct Swept {
 /// What else the commands of a sweep are given.
 struct Setting {
   std::string devices = source_path("tests/emulator/sweeps/devices");
-  std::string code = "sram";
+  std::string code = "sram", tick = "1ms";
   std::string scenario;
   std::vector<std::string> options;  ///< of run and analyze
 };
@@ -99,8 +99,9 @@ Swept sweep(const std::string& body, const Setting& setting = {}) {
   const std::string robot = folder.path("robot.urdf"), audit = folder.path("audit.jsonl");
   write_file(robot,
              "<robot name=\"sweep\">\n<link name=\"base_link\"/>\n<finemote version=\"1\">\n"
-             "<board name=\"robomaster_type_c\"><param name=\"code\">" +
-                 setting.code + "</param></board>\n" + body + "</finemote>\n</robot>\n");
+             "<board name=\"robomaster_type_c\" tick=\"" +
+                 setting.tick + "\"><param name=\"code\">" + setting.code + "</param></board>\n" + body +
+                 "</finemote>\n</robot>\n");
   std::vector<std::string> analyze{"analyze", robot, "--device-path", setting.devices};
   analyze.insert(analyze.end(), setting.options.begin(), setting.options.end());
   std::vector<std::string> run = analyze;
@@ -185,6 +186,34 @@ const std::string kQuestions = R"(
 <device name="one" type="questioner" bus="line" id="7" period="10ms"/>
 <device name="other" type="questioner" bus="line" id="8" period="10ms"/>
 <device name="often" type="sim_load" period="1ms"><param name="update">1us</param><param name="handle">1us</param></device>
+)";
+
+/// Drawn by the campaign, and shrunk: looks at an I2C bus find its transfer behind the deadline, and going on.
+const std::string kLateTransfer = R"(
+<bus name="compass" type="i2c" port="i2c3" clock="400kHz"/>
+<bus name="wire" type="i2c" port="i2c2" clock="200kHz"/>
+<bus name="line_usart6" type="uart" port="usart6" baud="460800baud"/>
+<bus name="spi" type="spi" port="spi1" clock="5250kHz"/>
+<device name="mixer_8" type="mixer" period="1000us">
+<device name="ist8310_2" type="ist8310" period="13000us" bus="compass" role="inputs"/>
+<device name="gauge_3" type="gauge" period="5000us" bus="wire" address="0x2c" role="gauges"/>
+<device name="host_link_4" type="host_link" period="20000us" bus="line_usart6" role="inputs">
+<device name="load_5" type="restless" period="2500us">
+<param name="update">30640ns</param>
+<param name="handle">226287ns</param>
+<param name="seed">217169</param>
+</device>
+</device>
+<device name="bmi088_7" type="bmi088" period="1000us" bus="spi" channel="0" role="inputs">
+<use role="gyro" bus="spi" channel="1"/>
+<use role="ready" pin="bmi088_int_gyro"/>
+</device>
+</device>
+<device name="load_18" type="restless" period="500us">
+<param name="update">7404ns</param>
+<param name="handle">43957ns</param>
+<param name="seed">189051</param>
+</device>
 )";
 
 /// Bytes that answer every question, and fill a ring several times.
@@ -307,6 +336,10 @@ TEST_CASE("jobs: by stages, and what a flush adds") {
   for (const int expanders : {1, 4}) hold(fmt::format("{} expanders", expanders), sweep(on_i2c(400, expanders)));
   hold("exchanges", sweep(exchanges("spi1", 5250, 2, 4)));
   hold("questions", sweep(kQuestions, flooded()));
+  Setting drawn;
+  drawn.devices = source_path("tests/campaign/devices");
+  drawn.tick = "500us";
+  hold("a late transfer", sweep(kLateTransfer, drawn));
   Setting watched;
   watched.options = {"--monitor"};
   for (const std::size_t devices : {1, 10})
