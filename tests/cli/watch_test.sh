@@ -20,6 +20,13 @@ answered() {
   tail -n 9 said errors | grep -q -- "$2" || fail "$1: no '$2'"
 }
 
+# For another watcher, which empties the files of the last one some time after it was started.
+begin_anew() {
+  answers=0
+  : >said
+  : >errors
+}
+
 mkdir devices
 robot() {
   printf '<robot name="r"><finemote version="1"><board name="robomaster_type_c"/>
@@ -52,7 +59,7 @@ kill -0 $watcher || fail "it ended by itself"
 kill $watcher
 
 # What is asked for and missing may come.
-answers=0
+begin_anew
 mkdir parts
 printf '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="parts/load.xacro"/>
   <finemote version="1"><board name="robomaster_type_c"/></finemote></robot>\n' >with_parts.xacro
@@ -64,7 +71,7 @@ answered "the included file came" 'missing .*buses.cpp'
 kill $watcher
 
 # A report is written again, and a mistake leaves the page as it was.
-answers=0
+begin_anew
 robot 10ms
 "$finemote" report robot.urdf -o page.html --watch >said 2>errors &
 watcher=$!
