@@ -1,8 +1,8 @@
 #include "generator/run/chains.hpp"
 
 #include <algorithm>
+#include <map>
 
-#include "generator/run/measure.hpp"
 #include "generator/run/reached_outputs.hpp"
 #include "generator/run/samples.hpp"
 
@@ -33,21 +33,36 @@ struct Series {
   std::vector<MeasuredAge> decisions, commands;
 };
 
-/// When the last run of a device's handle ended.
-Duration last_end(const RunRecord& record, DeviceId device) {
-  const std::vector<StageRun> runs = stage_runs(record, device, true);
-  return runs.empty() ? Duration{} : runs.back().end;
-}
+/// What is known of the ends of chains, each found once: many chains share one.
+class ChainEnds {
+ public:
+  ChainEnds(const Robot& robot, const Forest& forest, const RunRecord& record)
+      : robot_(robot), forest_(forest), record_(record) {}
+
+  const TakenSamples& taken(DeviceId from) {
+    return taken_.try_emplace(from, robot_, forest_, record_, from).first->second;
+  }
+  const ReachedOutputs& reached(DeviceId to) {
+    return reached_.try_emplace(to, robot_, forest_, record_, to).first->second;
+  }
+
+ private:
+  const Robot& robot_;
+  const Forest& forest_;
+  const RunRecord& record_;
+  std::map<DeviceId, TakenSamples> taken_;
+  std::map<DeviceId, ReachedOutputs> reached_;
+};
 
 /// @param has_wire  the command goes on from the end of the last handle(); else that is where it takes effect
-Series collect(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId from, DeviceId to,
-               bool has_wire) {
+Series collect(const Robot& robot, const RunRecord& record, const StageRuns& runs, ChainEnds& ends, DeviceId from,
+               DeviceId to, bool has_wire) {
   Series series;
-  const TakenSamples taken(robot, forest, record, from);
-  const ReachedOutputs reached(robot, forest, record, to);
-  const Duration handles_end = last_end(record, to);
+  const TakenSamples& taken = ends.taken(from);
+  const ReachedOutputs& reached = ends.reached(to);
+  const std::vector<StageRun>& handles = runs.of(to, true);
   const auto keep = [&](std::vector<Duration>& list, Duration time) { list.push_back(record.true_time(time)); };
-  for (const DecisionSample& sample : decision_samples(record, find_chain(robot, from, to))) {
+  for (const DecisionSample& sample : decision_samples(record, runs, find_chain(robot, from, to))) {
     const Duration decide = sample.handle_end - sample.update.begin;
     const auto age = taken.age(sample.update);
     const auto output = has_wire ? reached.of(sample.handle_run) : std::optional(sample.handle_end);
@@ -56,7 +71,7 @@ Series collect(const Robot& robot, const Forest& forest, const RunRecord& record
     if (age) keep(series.acquire, *age);
     const auto end_of_wait = output ? output : reached.overtaken(sample.handle_run);
     if (end_of_wait && has_wire) keep(series.wire, *end_of_wait - sample.handle_end);
-    if (reached.is_awaited(sample.handle_run)) keep(series.waiting, handles_end - sample.handle_end);
+    if (reached.is_awaited(sample.handle_run)) keep(series.waiting, handles.back().end - sample.handle_end);
     if (!age || !output) continue;
     keep(series.end_to_end, *age + decide + *output - sample.handle_end);
     series.commands.push_back({*output, series.end_to_end.back()});
@@ -65,13 +80,13 @@ Series collect(const Robot& robot, const Forest& forest, const RunRecord& record
 }
 
 MeasuredChain measure_chain(const Robot& robot, const Forest& forest, const timing::ChainResult& bound,
-                            const RunRecord& record, bool is_bound) {
+                            const RunRecord& record, const StageRuns& runs, ChainEnds& ends, bool is_bound) {
   const auto bound_of = [&](std::optional<Duration> one) { return is_bound ? one : std::nullopt; };
   MeasuredChain chain;
   chain.from = forest.order[bound.from];
   chain.to = forest.order[bound.to];
   chain.has_wire = robot.devices[chain.to].type->actuator || bound.wire != Duration::zero();
-  Series series = collect(robot, forest, record, chain.from, chain.to, chain.has_wire);
+  Series series = collect(robot, record, runs, ends, chain.from, chain.to, chain.has_wire);
   for (const Duration waiting : series.waiting) {  // any shorter one may still come out in time
     if (bound.wire && waiting > *bound.wire) series.wire.push_back(waiting);
   }
@@ -94,13 +109,14 @@ bool is_larger(const Measured& a, const Measured& b) { return b.bound && (!a.bou
 }  // namespace
 
 std::vector<MeasuredChain> measure_chains(const Robot& robot, const Forest& forest, const timing::Timing& timing,
-                                          const RunRecord& record, bool is_bound) {
+                                          const RunRecord& record, const StageRuns& runs, bool is_bound) {
   std::vector<MeasuredChain> chains;
+  ChainEnds ends(robot, forest, record);
   for (const timing::ChainResult& bound : timing.chains)
-    chains.push_back(measure_chain(robot, forest, bound, record, is_bound));
+    chains.push_back(measure_chain(robot, forest, bound, record, runs, ends, is_bound));
   for (const timing::ChainResult& bound : timing.others) {
     if (!is_bound) break;  // there is nothing they could break
-    chains.push_back(measure_chain(robot, forest, bound, record, is_bound));
+    chains.push_back(measure_chain(robot, forest, bound, record, runs, ends, is_bound));
     chains.back().is_listed = false;
   }
   return chains;

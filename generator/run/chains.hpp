@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "generator/run/measure.hpp"
 #include "generator/run/measured.hpp"
 #include "generator/timing/analyse.hpp"
 
@@ -35,7 +36,7 @@ inline constexpr std::array<Figure<MeasuredChain>, 4> kChainFigures{{{"acquire",
 /// output changed.
 /// @param is_bound  the bounds hold for what ran; else the chains have none
 std::vector<MeasuredChain> measure_chains(const Robot& robot, const Forest& forest, const timing::Timing& timing,
-                                          const RunRecord& record, bool is_bound);
+                                          const RunRecord& record, const StageRuns& runs, bool is_bound);
 
 /// Leaves out chains that are not listed, but for those that are above a bound, and one for each actuator that no
 /// listed one ends at: that with the largest bound.

@@ -1,9 +1,6 @@
 #include "generator/run/claims.hpp"
 
-#include <algorithm>
-
 #include "generator/bus/bus_type.hpp"
-#include "generator/run/measure.hpp"
 #include "generator/run/samples.hpp"
 
 namespace finemote::gen {
@@ -23,35 +20,20 @@ std::optional<Duration> oldest_claim(const Robot& robot, const Forest& forest, c
   return std::nullopt;
 }
 
-/// When each run of update() began, by when it ended.
-class Begins {
- public:
-  Begins(const RunRecord& record, DeviceId device) : runs_(stage_runs(record, device, false)) {}
-
-  [[nodiscard]] std::optional<Duration> of(Duration end) const {
-    const auto is_before = [](const StageRun& run, Duration time) { return run.end < time; };
-    const auto found = std::lower_bound(runs_.begin(), runs_.end(), end, is_before);
-    return found == runs_.end() || found->end != end ? std::nullopt : std::optional(found->begin);
-  }
-
- private:
-  std::vector<StageRun> runs_;
-};
-
 }  // namespace
 
 std::vector<MeasuredClaim> measure_claims(const Robot& robot, const Forest& forest, const timing::Timing& timing,
-                                          const RunRecord& record) {
+                                          const RunRecord& record, const StageRuns& runs) {
   std::vector<MeasuredClaim> claims;
   for (const DeviceId device : forest.order) {
     if (!robot.devices[device].type->acquisition) continue;
-    const Begins begins(record, device);
     std::vector<Duration> leads, ages;
     for (const SampledState& state : states_of(robot, forest, record, device)) {
       if (!state.claimed_ps || state.at() < record.ready) continue;
       leads.push_back(record.true_time(picoseconds_up(*state.claimed_ps - state.from_ps)));
-      const auto begin = begins.of(state.at());
-      if (begin && *begin >= record.ready) ages.push_back(record.true_time(*begin - picoseconds_up(*state.claimed_ps)));
+      const StageRun* update = ended_at(runs.of(device, false), state.at());
+      if (update != nullptr && update->begin >= record.ready)
+        ages.push_back(record.true_time(update->begin - picoseconds_up(*state.claimed_ps)));
     }
     claims.push_back(
         {device, {summarize(leads), kClaimSlack}, {summarize(ages), oldest_claim(robot, forest, timing, device)}});

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "generator/run/measure.hpp"
 #include "generator/run/measured.hpp"
 #include "generator/timing/analyse.hpp"
 
@@ -25,6 +26,6 @@ inline constexpr std::array<Figure<MeasuredClaim>, 2> kClaimFigures{
 /// Of devices with a sensor of their own, at the end of every update after the bring-up that left a valid state.
 /// Where frames arbitrate a time stamp is as old as the worst order of frames makes it, and no age has a bound.
 std::vector<MeasuredClaim> measure_claims(const Robot& robot, const Forest& forest, const timing::Timing& timing,
-                                          const RunRecord& record);
+                                          const RunRecord& record, const StageRuns& runs);
 
 }  // namespace finemote::gen

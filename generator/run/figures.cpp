@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "generator/run/measure.hpp"
-
 namespace finemote::gen {
 namespace {
 
@@ -23,11 +21,11 @@ void merge(std::vector<Of>& all, const std::vector<Of>& more, const Figures& fig
 
 /// Of everything that is held to a bound.
 RunFigures bound_figures(const Robot& robot, const Forest& forest, const Schedule& schedule,
-                         const timing::Timing& timing, const RunRecord& record) {
+                         const timing::Timing& timing, const RunRecord& record, const StageRuns& runs) {
   RunFigures figures;
-  figures.chains = measure_chains(robot, forest, timing, record, true);
-  figures.responses = measure_responses(robot, forest, schedule, timing, record);
-  figures.claims = measure_claims(robot, forest, timing, record);
+  figures.chains = measure_chains(robot, forest, timing, record, runs, true);
+  figures.responses = measure_responses(robot, forest, schedule, timing, record, runs);
+  figures.claims = measure_claims(robot, forest, timing, record, runs);
   return figures;
 }
 
@@ -60,19 +58,23 @@ void note_broken(RunFigures& figures, const RunFigures& before) {
 
 RunFigures figures_of(const Robot& robot, const Forest& forest, const Schedule& schedule, const timing::Timing* timing,
                       const RunRecord& record, bool is_bound) {
+  const StageRuns runs(record, robot.devices.size());
   RunFigures figures;
   if (timing != nullptr && is_bound) {
-    figures = bound_figures(robot, forest, schedule, *timing, record);
-    if (record.violated_from)
-      note_broken(figures, bound_figures(robot, forest, schedule, *timing, undisturbed(record)));
+    figures = bound_figures(robot, forest, schedule, *timing, record, runs);
+    if (record.violated_from) {
+      const RunRecord before = undisturbed(record);
+      const StageRuns runs_before(before, robot.devices.size());
+      note_broken(figures, bound_figures(robot, forest, schedule, *timing, before, runs_before));
+    }
     figures.traffic = measure_traffic(robot, timing->model, record);
     figures.pins = measure_pins(robot, timing->model, record);
   } else if (timing != nullptr) {
-    figures.chains = measure_chains(robot, forest, *timing, record, false);
+    figures.chains = measure_chains(robot, forest, *timing, record, runs, false);
   }
   for (const DeviceId device : robot.devices.ids()) {
-    figures.stages.push_back(
-        {summarize(stage_times(record, device, false)), summarize(stage_times(record, device, true))});
+    figures.stages.push_back({summarize(stage_times(record, runs.of(device, false))),
+                              summarize(stage_times(record, runs.of(device, true)))});
   }
   return figures;
 }

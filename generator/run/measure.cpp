@@ -50,20 +50,24 @@ class WaysUp {
 
 }  // namespace
 
-std::vector<StageRun> stage_runs(const RunRecord& record, DeviceId device, bool is_handle) {
-  std::vector<StageRun> list;
-  std::optional<Duration> begin;  // none: it does not run
+StageRuns::StageRuns(const RunRecord& record, std::size_t devices) : runs_(devices) {
+  Table<DeviceId, std::array<std::optional<Duration>, 2>> begins(devices);  // none: it does not run
   for (const Event& event : record.events) {
-    if (event.device != device || event.is_handle != is_handle) continue;
-    if (event.is_end && begin) list.push_back({*begin, event.at});
+    const std::size_t stage = event.is_handle ? 1 : 0;
+    std::optional<Duration>& begin = begins[event.device][stage];
+    if (event.is_end && begin) runs_[event.device][stage].push_back({*begin, event.at});
     begin = event.is_end ? std::nullopt : std::optional(event.at);
   }
-  return list;
 }
 
-std::vector<Duration> stage_times(const RunRecord& record, DeviceId device, bool is_handle) {
+const StageRun* ended_at(const std::vector<StageRun>& runs, Duration end) {
+  const StageRun* run = finished_by(runs, end);
+  return run != nullptr && run->end == end ? run : nullptr;
+}
+
+std::vector<Duration> stage_times(const RunRecord& record, const std::vector<StageRun>& runs) {
   std::vector<Duration> times;
-  for (const StageRun& run : stage_runs(record, device, is_handle)) {
+  for (const StageRun& run : runs) {
     if (run.begin >= record.ready) times.push_back(record.true_time(run.end - run.begin));
   }
   return times;
@@ -81,33 +85,32 @@ std::vector<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId to
 
 namespace {
 
-using Hops = std::vector<std::vector<StageRun>>;
+using Hops = std::vector<const std::vector<StageRun>*>;
 
 /// The runs of every stage on the way, from the actuator's handle back to the source's update.
-Hops hops_of(const RunRecord& record, const ChainPath& path) {
+Hops hops_of(const StageRuns& runs, const ChainPath& path) {
   Hops hops;
-  for (auto device = path.down.rbegin(); device != path.down.rend(); ++device)
-    hops.push_back(stage_runs(record, *device, true));
-  for (auto device = path.up.rbegin(); device != path.up.rend(); ++device)
-    hops.push_back(stage_runs(record, *device, false));
+  for (auto device = path.down.rbegin(); device != path.down.rend(); ++device) hops.push_back(&runs.of(*device, true));
+  for (auto device = path.up.rbegin(); device != path.up.rend(); ++device) hops.push_back(&runs.of(*device, false));
   return hops;
 }
 
 /// The update that the data of the chain's last run came from; null: none yet.
 const StageRun* source_of(const Hops& hops, const StageRun& last) {
   const StageRun* run = &last;
-  for (std::size_t hop = 1; hop < hops.size() && run != nullptr; ++hop) run = finished_by(hops[hop], run->begin);
+  for (std::size_t hop = 1; hop < hops.size() && run != nullptr; ++hop) run = finished_by(*hops[hop], run->begin);
   return run;
 }
 
 }  // namespace
 
-std::vector<DecisionSample> decision_samples(const RunRecord& record, const std::vector<ChainPath>& paths) {
+std::vector<DecisionSample> decision_samples(const RunRecord& record, const StageRuns& runs,
+                                             const std::vector<ChainPath>& paths) {
   std::vector<Hops> ways;
-  for (const ChainPath& path : paths) ways.push_back(hops_of(record, path));
+  for (const ChainPath& path : paths) ways.push_back(hops_of(runs, path));
   std::vector<DecisionSample> samples;
   if (ways.empty()) return samples;
-  const std::vector<StageRun>& handles = ways.front().front();
+  const std::vector<StageRun>& handles = *ways.front().front();
   for (std::size_t run = 0; run < handles.size(); ++run) {
     const StageRun* oldest = nullptr;
     bool came_by_all = true;

@@ -1,6 +1,7 @@
 // Events to runs of stages, and to the updates that the data of every command came from.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -13,11 +14,25 @@ struct StageRun {
   Duration begin, end;
 };
 
-/// Completed runs of a stage, in time order.
-std::vector<StageRun> stage_runs(const RunRecord& record, DeviceId device, bool is_handle);
+/// Completed runs of all stages, found in one pass over the events of a record.
+class StageRuns {
+ public:
+  StageRuns(const RunRecord& record, std::size_t devices);
+
+  /// In time order.
+  [[nodiscard]] const std::vector<StageRun>& of(DeviceId device, bool is_handle) const {
+    return runs_[device][is_handle ? 1 : 0];
+  }
+
+ private:
+  Table<DeviceId, std::array<std::vector<StageRun>, 2>> runs_;
+};
+
+/// The run of a stage that ended then; null: none did.
+const StageRun* ended_at(const std::vector<StageRun>& runs, Duration end);
 
 /// Time from begin to end of every run of a stage that began after the bring-up, preemption included.
-std::vector<Duration> stage_times(const RunRecord& record, DeviceId device, bool is_handle);
+std::vector<Duration> stage_times(const RunRecord& record, const std::vector<StageRun>& runs);
 
 /// A way of data from update() of one device to handle() of another. It turns at the root of the other's tree, as the
 /// bound does: data that turns below is never older.
@@ -40,6 +55,7 @@ struct DecisionSample {
 /// One sample per handle() of the chain's end: of the oldest data of all ways. Every hop takes the latest value
 /// finished before the reader's stage began (paper, definition 3). Jobs at the start whose data comes from no update
 /// yet, or from one during the bring-up, are left out.
-std::vector<DecisionSample> decision_samples(const RunRecord& record, const std::vector<ChainPath>& paths);
+std::vector<DecisionSample> decision_samples(const RunRecord& record, const StageRuns& runs,
+                                             const std::vector<ChainPath>& paths);
 
 }  // namespace finemote::gen

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "generator/run/measure.hpp"
-
 namespace finemote::gen {
 namespace {
 
@@ -34,9 +32,9 @@ struct Responses {
   std::optional<Duration> open;  ///< of a job that had not ended by the end of the run: so far
 };
 
-Responses responses(const RunRecord& record, DeviceId device, bool is_handle, Releases releases) {
+Responses responses(const RunRecord& record, const std::vector<StageRun>& runs, Releases releases) {
   Responses all;
-  for (const StageRun& run : stage_runs(record, device, is_handle)) {
+  for (const StageRun& run : runs) {
     const Duration release = releases.take(run.begin);
     if (run.begin >= record.ready) all.seen.push_back(record.true_time(run.end - release));
   }
@@ -60,7 +58,8 @@ Statistics spread(const Statistics& series) {
 }  // namespace
 
 std::vector<MeasuredResponse> measure_responses(const Robot& robot, const Forest& forest, const Schedule& schedule,
-                                                const timing::Timing& timing, const RunRecord& record) {
+                                                const timing::Timing& timing, const RunRecord& record,
+                                                const StageRuns& runs) {
   const timing::ProfileResult& bounds = timing.verdict();
   std::vector<MeasuredResponse> all;
   for (const Rank rank : forest.order.ids()) {
@@ -69,8 +68,8 @@ std::vector<MeasuredResponse> measure_responses(const Robot& robot, const Forest
     const bool has_overrun = bucket < record.overruns.size() && record.overruns[bucket] > 0;
     const Releases releases(robot.devices[device].period, !has_overrun && record.resets + record.scripted_resets == 0);
     MeasuredResponse one{device, {}, {}, {}};
-    one.update = measured(responses(record, device, false, releases), bounds.devices[rank].r_plus);
-    one.handle = measured(responses(record, device, true, releases), bounds.devices[rank].r_minus);
+    one.update = measured(responses(record, runs.of(device, false), releases), bounds.devices[rank].r_plus);
+    one.handle = measured(responses(record, runs.of(device, true), releases), bounds.devices[rank].r_minus);
     one.jitter = {spread(one.handle.observed), timing::jitter_bound(timing.model, bounds, rank)};
     all.push_back(one);
   }

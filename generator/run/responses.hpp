@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "generator/run/measure.hpp"
 #include "generator/run/measured.hpp"
 #include "generator/schedule/schedule.hpp"
 #include "generator/timing/analyse.hpp"
@@ -24,6 +25,7 @@ inline constexpr std::array<Figure<MeasuredResponse>, 3> kResponseFigures{{{"upd
 /// is lost makes all jobs behind it late; where overruns were counted or the board began anew, a stage belongs to the
 /// last release before it began.
 std::vector<MeasuredResponse> measure_responses(const Robot& robot, const Forest& forest, const Schedule& schedule,
-                                                const timing::Timing& timing, const RunRecord& record);
+                                                const timing::Timing& timing, const RunRecord& record,
+                                                const StageRuns& runs);
 
 }  // namespace finemote::gen
