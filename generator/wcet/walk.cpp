@@ -297,14 +297,13 @@ class Walker {
     frame.arrivals[loop.header].reset();
     waits_.forget(loop);
     while (!settle(frame, index, arrival.machine)) {}
-    const Cycles limit = waits_.limit_of(waits);
-    if (limit > kLongestWait) fail(loop.header, &frame.function, kUnlimitedWait);
-    if (limit <= kLongestWait) pass_time(frame, index, limit, std::move(arrival));
+    pass_time(frame, index, waits_.limit_of(waits), std::move(arrival));
     frame.unmarked = around;
   }
 
   void pass_time(Frame& frame, std::size_t index, Cycles limit, Arrival arrival) {
     const Loop& loop = frame.nest.loops()[index];
+    if (limit > kLongestWait) return fail(loop.header, &frame.function, kUnlimitedWait);
     const std::size_t node = add_node({&frame.function, loop.header, limit, std::move(arrival.from)}, walked_);
     walked_.waits.insert(node);
     frame.arrivals[loop.header] = Arrival{std::move(arrival.machine), {{node, 0}}};

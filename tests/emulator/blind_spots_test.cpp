@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "catch.hpp"
-#include "tests/cli/program.hpp"
+#include "tests/emulator/judged_run.hpp"
 
 using namespace finemote::test;
 using Json = nlohmann::json;
@@ -21,90 +21,65 @@ std::string refusal_at(const std::string& t_ns) {
   return R"({"t_ns": )" + t_ns + R"(, "port": "i2c2", "do": "nack", "address": 118, "times": 1})";
 }
 
-struct Ran {
-  int exit_status = 0;
-  Json document;
-
-  [[nodiscard]] Json of(const char* list, const std::string& device) const {
-    for (const Json& entry : document[list]) {
-      if (entry["device"] == device) return entry;
+/// Parts of chains that are above their bounds.
+std::vector<Json> broken(const JudgedRun& ran) {
+  std::vector<Json> all;
+  for (const Json& chain : ran.document["chains"]) {
+    for (const char* part : {"acquire", "decide", "wire", "end_to_end"}) {
+      if (chain[part]["judged"] == "broken") all.push_back(chain[part]);
     }
-    FAIL("no '" << device << "' in " << list);
-    return {};
   }
-  /// Parts of chains that are above their bounds, as `device part`.
-  [[nodiscard]] std::vector<Json> broken() const {
-    std::vector<Json> all;
-    for (const Json& chain : document["chains"]) {
-      for (const char* part : {"acquire", "decide", "wire", "end_to_end"}) {
-        if (chain[part]["judged"] == "broken") all.push_back(chain[part]);
-      }
-    }
-    return all;
-  }
-  [[nodiscard]] bool reports(const std::string& code) const {
-    const Json& findings = document["diagnostics"];
-    return std::any_of(findings.begin(), findings.end(), [&](const Json& one) { return one["code"] == code; });
-  }
-};
-
-Ran run(const std::string& robot, const std::string& duration, const std::vector<std::string>& options = {}) {
-  std::vector<std::string> words = {"run", source_path(robot), "--duration", duration, "--format", "json"};
-  words.insert(words.end(), options.begin(), options.end());
-  const auto ran = run_finemote(words);
-  INFO(ran.output);
-  const auto begin = ran.output.find('{');
-  REQUIRE(begin != std::string::npos);
-  return {ran.exit_status, Json::parse(ran.output.substr(begin))};
+  return all;
 }
 
-Ran run_robot(const std::string& name, const std::string& duration, const std::vector<std::string>& options = {}) {
-  return run("tests/emulator/blind_spots/" + name + ".urdf", duration, options);
+JudgedRun run_blind(const std::string& name, const std::string& duration,
+                    const std::vector<std::string>& options = {}) {
+  return run_robot(source_path("tests/emulator/blind_spots/" + name + ".urdf"), duration, options);
 }
 
 /// With a scenario of these events and expectations.
-Ran run_finsrov(const std::string& events, const std::vector<std::string>& options = {}) {
+JudgedRun run_finsrov(const std::string& events, const std::vector<std::string>& options = {}) {
   const TemporaryFolder folder;
   const std::string path = folder.path("scenario.json");
   write_file(path, R"({"schema": "finemote.scenario/1", "events": [)" + events + "]}");
   std::vector<std::string> words = {"--scenario", path};
   words.insert(words.end(), options.begin(), options.end());
-  return run("examples/finsrov.urdf", "1s", words);
+  return run_robot(source_path("examples/finsrov.urdf"), "1s", words);
 }
 
 }  // namespace
 
 TEST_CASE("a sensor that no default chain begins at is judged as well") {
-  const Ran calm = run_finsrov(kOrder);
+  const JudgedRun calm = run_finsrov(kOrder);
   CHECK(calm.exit_status == 0);
-  CHECK(calm.broken().empty());
-  const Ran jump = run_finsrov(kOrder + "," + kJump);  // the sensor refuses it, and keeps its depth
+  CHECK(broken(calm).empty());
+  const JudgedRun jump = run_finsrov(kOrder + "," + kJump);  // the sensor refuses it, and keeps its depth
   CHECK(jump.exit_status == 1);
-  REQUIRE(!jump.broken().empty());
+  REQUIRE(!broken(jump).empty());
   CHECK(jump.document["chains"].size() > calm.document["chains"].size());
 }
 
 TEST_CASE("what was broken before a fault is not excused by it") {
   const std::string jump = kOrder + "," + kJump + ",";
   for (const std::string& late : {damage_at("1110000000"), refusal_at("1110000000")}) {
-    const Ran ran = run_finsrov(jump + late);
+    const JudgedRun ran = run_finsrov(jump + late);
     CHECK(ran.exit_status == 1);
-    REQUIRE(!ran.broken().empty());
-    for (const Json& part : ran.broken()) CHECK_FALSE(part.contains("assumption"));
+    REQUIRE(!broken(ran).empty());
+    for (const Json& part : broken(ran)) CHECK_FALSE(part.contains("assumption"));
   }
   CHECK(run_finsrov(jump + damage_at("1110000000"), {"--monitor"}).exit_status == 1);
   // A bus that has to be recovered can delay everything; an error of a line touches what goes over it.
-  const Ran excused = run_finsrov(kOrder + "," + refusal_at("690000000") + "," + kJump);
+  const JudgedRun excused = run_finsrov(kOrder + "," + refusal_at("690000000") + "," + kJump);
   CHECK(excused.exit_status == 0);
-  REQUIRE(!excused.broken().empty());
-  for (const Json& part : excused.broken()) CHECK(part["assumption"] == "bus-errors");
+  REQUIRE(!broken(excused).empty());
+  for (const Json& part : broken(excused)) CHECK(part["assumption"] == "bus-errors");
   CHECK(run_finsrov(kOrder + "," + damage_at("690000000") + "," + kJump).exit_status == 1);
 }
 
 TEST_CASE("an actuator that is no leaf has to be judged where everything has to be") {
-  const Ran ran = run_robot("encoder", "300ms", {"--require-judged"});
+  const JudgedRun ran = run_blind("encoder", "300ms", {"--require-judged"});
   CHECK(ran.exit_status == 1);
-  CHECK(ran.broken().empty());
+  CHECK(broken(ran).empty());
   const Json& chains = ran.document["chains"];
   const auto motor = std::find_if(chains.begin(), chains.end(), [](const Json& c) { return c["to"] == "motor"; });
   REQUIRE(motor != chains.end());
@@ -116,25 +91,25 @@ TEST_CASE("data that a device calls valid may not be older than acquire allows b
     const TemporaryFolder folder;
     write_file(folder.path("far.json"), R"({"schema": "finemote.scenario/1", "events": [{"t_ns": )" + t_ns +
                                             R"(, "part": "echo", "do": "set", "r81": 255}]})");
-    return run_robot("encoder", "300ms", {"--scenario", folder.path("far.json")});
+    return run_blind("encoder", "300ms", {"--scenario", folder.path("far.json")});
   };
-  const Ran good = run_robot("encoder", "300ms");
+  const JudgedRun good = run_blind("encoder", "300ms");
   CHECK(good.exit_status == 0);
   CHECK(good.of("claims", "echo")["judged"] == "held");
-  const Ran refused = far_from("200000000");  // it keeps what it had, and says so
+  const JudgedRun refused = far_from("200000000");  // it keeps what it had, and says so
   CHECK(refused.exit_status == 1);
-  CHECK(refused.broken().empty());
+  CHECK(broken(refused).empty());
   const Json claim = refused.of("claims", "echo");
   CHECK(claim["judged"] == "broken");
   CHECK(claim["lead_max_ns"].get<std::int64_t>() <= 1000);
   CHECK(claim["age_max_ns"].get<std::int64_t>() > 90'000'000);
   CHECK(claim["age_bound_ns"].get<std::int64_t>() < 20'000'000);
-  const Ran never = far_from("0");  // nothing is old, and nothing is judged
+  const JudgedRun never = far_from("0");  // nothing is old, and nothing is judged
   CHECK(never.of("claims", "echo")["age_max_ns"].is_null());
 }
 
 TEST_CASE("a job that was lost with its release is late, as are those behind it") {
-  const Ran ran = run_robot("lost_release", "400ms");
+  const JudgedRun ran = run_blind("lost_release", "400ms");
   CHECK(ran.exit_status == 1);
   CHECK(ran.document["overruns"] == 0);
   const Json response = ran.of("responses", "urgent");
@@ -143,7 +118,7 @@ TEST_CASE("a job that was lost with its release is late, as are those behind it"
 }
 
 TEST_CASE("a stage that does not end before the run does is late") {
-  const Ran ran = run_robot("hang", "900ms");
+  const JudgedRun ran = run_blind("hang", "900ms");
   CHECK(ran.exit_status == 1);
   CHECK(ran.document["overruns"] == 0);
   const Json response = ran.of("responses", "logger");
@@ -157,7 +132,8 @@ TEST_CASE("a reset that a scenario asks for may come in the middle of a job") {
   for (const char* t_ns : {"400060000", "400700000"}) {
     write_file(folder.path("reset.json"), std::string(R"({"schema": "finemote.scenario/1", "events": [{"t_ns": )") +
                                               t_ns + R"(, "do": "reset"}]})");
-    const Ran ran = run("examples/infantry.urdf", "300ms", {"--scenario", folder.path("reset.json")});
+    const JudgedRun ran =
+        run_robot(source_path("examples/infantry.urdf"), "300ms", {"--scenario", folder.path("reset.json")});
     CHECK(ran.document["order"]["mistake"].is_null());
     CHECK(ran.exit_status == 0);
   }

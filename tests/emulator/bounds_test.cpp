@@ -5,7 +5,7 @@
 #include <string>
 
 #include "catch.hpp"
-#include "tests/cli/program.hpp"
+#include "tests/emulator/judged_run.hpp"
 
 using namespace finemote::test;
 
@@ -51,20 +51,7 @@ const Case kCases[] = {
     {"slow_can", "600ms", nullptr, nullptr, nullptr, 0, {"--phases", "12", "--seed", "1"}},
 };
 
-struct Ran {
-  int exit_status = 0;
-  Json document;
-};
-
-Ran run(const std::string& robot, const std::string& duration, const std::vector<std::string>& options = {}) {
-  std::vector<std::string> words = {"run", robot, "--duration", duration, "--format", "json"};
-  words.insert(words.end(), options.begin(), options.end());
-  const auto ran = run_finemote(words);
-  INFO(ran.output);
-  const auto begin = ran.output.find('{');
-  REQUIRE(begin != std::string::npos);
-  return {ran.exit_status, Json::parse(ran.output.substr(begin))};
-}
+using Ran = JudgedRun;
 
 void check_judged(const Json& judged) {
   INFO(judged.dump());
@@ -125,38 +112,39 @@ TEST_CASE("edges of a line delay every job as often as their device declares, wh
   const TemporaryFolder folder;
   const std::string file = folder.path("edges.json");
   write_file(file, edges(times_about_releases(), 400, 20'400));
-  check_holds(run(source_path("tests/emulator/bounds/edges.urdf"), "80ms", {"--scenario", file}));
+  check_holds(run_robot(source_path("tests/emulator/bounds/edges.urdf"), "80ms", {"--scenario", file}));
   write_file(file, edges(times_about_releases(), 20, 5'500));
-  check_holds(run(source_path("tests/emulator/bounds/burst.urdf"), "80ms", {"--scenario", file}));
+  check_holds(run_robot(source_path("tests/emulator/bounds/burst.urdf"), "80ms", {"--scenario", file}));
 }
 
 TEST_CASE("more edges of pins than devices declare are said to be so") {
   const TemporaryFolder folder;
   const std::string file = folder.path("edges.json");
   write_file(file, edges(times_about_releases(), 1'100, 9'000));
-  const Ran ran = run(source_path("tests/emulator/bounds/edges.urdf"), "80ms", {"--scenario", file});
+  const Ran ran = run_robot(source_path("tests/emulator/bounds/edges.urdf"), "80ms", {"--scenario", file});
   CHECK(ran.exit_status == 1);
   const Json& findings = ran.document["diagnostics"];
   CHECK(std::any_of(findings.begin(), findings.end(), [](const Json& one) { return one["code"] == "FM6015"; }));
 }
 
 TEST_CASE("no age that the firmware claims is above the bound it is built with") {
-  check_holds(
-      run(source_path("tests/emulator/bounds/late_silence.urdf"), "2s", {"--monitor", "--phases", "8", "--seed", "3"}));
+  check_holds(run_robot(source_path("tests/emulator/bounds/late_silence.urdf"), "2s",
+                        {"--monitor", "--phases", "8", "--seed", "3"}));
 }
 
 TEST_CASE("every bound holds on robots that come close to it") {
   for (const Case& one : kCases) {
     INFO(one.robot);
     const Ran ran =
-        run(source_path("tests/emulator/bounds/" + std::string(one.robot) + ".urdf"), one.duration, one.options);
+        run_robot(source_path("tests/emulator/bounds/" + std::string(one.robot) + ".urdf"), one.duration, one.options);
     check_holds(ran);
     if (one.from != nullptr) check_is_near(ran.document, one);
   }
 }
 
 TEST_CASE("what the start-up sends is over when the first job begins") {
-  check_holds(run(source_path("tests/emulator/bounds/short_start.urdf"), "60ms", {"--phases", "5", "--seed", "1"}));
+  check_holds(
+      run_robot(source_path("tests/emulator/bounds/short_start.urdf"), "60ms", {"--phases", "5", "--seed", "1"}));
 }
 
 TEST_CASE("where an interrupt keeps the release from ending before the next one, nothing has a bound") {
@@ -166,20 +154,20 @@ TEST_CASE("where an interrupt keeps the release from ending before the next one,
   CHECK(analysed.output.find("error[FM4027]: releases can be lost: their interrupt may take longer than 50us") !=
         std::string::npos);
   const Json document =
-      run(robot, "300ms").document;  // on the board they are lost: responses reach what nothing bounds
+      run_robot(robot, "300ms").document;  // on the board they are lost: responses reach what nothing bounds
   CHECK(document["schedulable"] == false);
   REQUIRE(!document["responses"].empty());
   for (const Json& response : document["responses"]) CHECK(response["judged"] == "no-bound");
 }
 
 TEST_CASE("bounds include the trace that is asked for") {
-  check_holds(run(source_path("tests/emulator/bounds/traced.urdf"), "200ms", {"--trace"}));
+  check_holds(run_robot(source_path("tests/emulator/bounds/traced.urdf"), "200ms", {"--trace"}));
 }
 
 TEST_CASE("a command that never leaves is late, whichever comes instead of it") {
   const TemporaryFolder folder;
   const std::string audit = folder.path("audit.jsonl");
-  const Ran ran = run(source_path("tests/emulator/bounds/busy_valve.urdf"), "300ms", {"--audit", audit});
+  const Ran ran = run_robot(source_path("tests/emulator/bounds/busy_valve.urdf"), "300ms", {"--audit", audit});
   CHECK(ran.exit_status == 1);
   REQUIRE(ran.document["chains"].size() == 1);
   const Json& wire = ran.document["chains"][0]["wire"];
@@ -219,5 +207,5 @@ TEST_CASE("every bound holds while a computer sends text without end") {
                       {"text", "MOT:1500,1500,1500,1500\r\nH:31415\r\nANG:-179\r\nMOT:1501,1499,1500,1500\r\n"}});
   }
   write_file(folder.path("text.json"), Json{{"schema", "finemote.scenario/1"}, {"events", events}}.dump());
-  check_holds(run(source_path("examples/finsrov.urdf"), "400ms", {"--scenario", folder.path("text.json")}));
+  check_holds(run_robot(source_path("examples/finsrov.urdf"), "400ms", {"--scenario", folder.path("text.json")}));
 }

@@ -25,14 +25,14 @@ std::string writing_flash(const std::string& then) {
 const std::string kErase = writing_flash("at(0x40023C10) = 0x00010000 | 2U << 8 | 11U << 3 | 2;");  // the last sector
 const std::string kProgram = writing_flash("at(0x40023C10) = 2U << 8 | 1; at(0x080E0000) = 0;");    // a word of it
 
-/// How long the probe's update took by itself [ns].
-/// Of each stage, and how often it ran: when it began, to the nanosecond, hangs on how long the start took.
+/// How often each stage ran, and its longest own time [ns]: when it began hangs on how long the start took.
 std::vector<std::pair<std::int64_t, std::int64_t>> own_times(const ProbeRun& run) {
   std::vector<std::pair<std::int64_t, std::int64_t>> all;
   for (const auto& stage : run.document["stages"]) all.emplace_back(stage["count"], stage["own_max_ns"]);
   return all;
 }
 
+/// How long the probe's update took by itself [ns].
 std::int64_t longest_update(const ProbeRun& run) { return run.of("stages", "p")["own_max_ns"]; }
 
 Json wire_of(const ProbeRun& run, const std::string& device) {

@@ -7,30 +7,12 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "tests/cli/program.hpp"
+#include "tests/emulator/judged_run.hpp"
 
 namespace finemote::test {
 
 /// Ended runs, as `run --format json` tells of them.
-struct ProbeRun {
-  int exit_status;
-  nlohmann::json document;
-
-  [[nodiscard]] bool reports(const std::string& code, const std::string& words = {}) const {
-    for (const auto& finding : document["diagnostics"]) {
-      if (finding["code"] == code && finding["message"].get<std::string>().find(words) != std::string::npos)
-        return true;
-    }
-    return false;
-  }
-  /// The entry of a device in one of the document's lists.
-  [[nodiscard]] nlohmann::json of(const std::string& list, const std::string& device) const {
-    for (const auto& entry : document[list]) {
-      if (entry["device"] == device) return entry;
-    }
-    FAIL("no '" << device << "' in " << list);
-    return {};
-  }
+struct ProbeRun : JudgedRun {
   /// The firmware has noticed nothing.
   [[nodiscard]] bool counts_nothing() const {
     if (!document["fault_counts"].empty() || document["overruns"] != 0 || document["resets"] != 0) return false;
@@ -74,13 +56,9 @@ class ProbeRobot {
 
   /// With the monitor, 200 ms long.
   [[nodiscard]] ProbeRun run(const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> words = {"run", path(), "--monitor", "--duration", "200ms", "--format", "json"};
-    words.insert(words.end(), options.begin(), options.end());
-    const auto ran = run_finemote(words);
-    CAPTURE(ran.output);
-    const auto begin = ran.output.find('{');
-    REQUIRE(begin != std::string::npos);
-    return {ran.exit_status, nlohmann::json::parse(ran.output.substr(begin))};
+    std::vector<std::string> all = {"--monitor"};
+    all.insert(all.end(), options.begin(), options.end());
+    return {run_robot(path(), "200ms", all)};
   }
 
  private:
