@@ -55,7 +55,9 @@ void Ist8310::take_result() {
       step_ = Step::kSettings;
       return;
     case Step::kSettings:
-      if (++entry_ == kSettingCount) step_ = Step::kRun;
+      if (++entry_ < kSettingCount) return;
+      measured_ = false;
+      step_ = Step::kRun;
       return;
     case Step::kRun:
       return take_field();
@@ -70,8 +72,16 @@ void Ist8310::take_field() {
     if (raw[i] > kLargest[i] || raw[i] < -kLargest[i]) return bad_value();
     good = good || raw[i] != 0;  // all zero: no measurement yet, or the part was reset
   }
-  if (!good) return bad_value();
+  if (!good) {
+    measured_ = false;
+    return bad_value();
+  }
   bad_values_ = 0;
+  if (!measured_) {  // the part may have stored its first measurement in the middle of this read
+    measured_ = true;
+    state.valid = false;
+    return;
+  }
   for (int i = 0; i < 3; ++i) state.field[i] = static_cast<float>(raw[i]) * kTeslaPerStep[i];
   turn(mount_, state.field);
   state.origin = asked_ - kFieldAge;
