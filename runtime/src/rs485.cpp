@@ -16,6 +16,8 @@ enum Rs485Fault : std::uint8_t { kNoReply = 1, kReceiveHalted };
 /// Beyond the wire time of question and answer: how long a part may think.
 constexpr Duration kReplySlack = 2 * kMillisecond;
 
+constexpr std::uint32_t bit_of(std::uint32_t place) { return std::uint32_t{1} << place % 32; }
+
 }  // namespace
 
 bool Rs485Slot::start(const std::uint8_t* bytes, std::size_t size, std::size_t reply_size) {
@@ -24,6 +26,7 @@ bool Rs485Slot::start(const std::uint8_t* bytes, std::size_t size, std::size_t r
   size_ = static_cast<std::uint16_t>(size);
   reply_size_ = static_cast<std::uint16_t>(reply_size);
   state_.store(SlotState::kQueued);
+  bus_->waiting_[place_ / 32 % Rs485::kWords].set_bits(bit_of(place_));
   bus_->carry_on();
   return true;
 }
@@ -35,6 +38,7 @@ SlotState Rs485Slot::state() {
 
 void Rs485::start() {
   list_bus(counters_);
+  for (std::uint32_t i = 0; i < count_; ++i) slots_[i]->place_.set(i);
   port_->start(baud_, UartFormat::k8N1, ring_);
 }
 
@@ -81,18 +85,24 @@ void Rs485::pick() {
     ++counters_.recoveries;
     port_->restart_receive();
   }
-  for (std::uint8_t i = 0; i < count_; ++i) {
-    Rs485Slot& slot = *slots_[i];
-    if (slot.state_.load() != SlotState::kQueued) continue;
-    active_ = &slot;
-    slot.state_.store(SlotState::kActive);
-    const std::size_t size = least(slot.size_, port_->transmit_capacity());  // the same
-    move_bytes(slot.bytes_, port_->transmit_buffer(), size);
-    reply_from_ = port_->received();
-    port_->transmit(size);
-    deadline_ = now() + 2 * (slot.size_ + slot.reply_size_) * byte_time_ + kReplySlack;  // not before: see take_reply()
+  for (std::uint32_t word = 0; word < kWords && word * 32 < count_; ++word) {
+    const std::uint32_t waiting = waiting_[word].load();
+    if (waiting == 0) continue;
+    const std::uint32_t place = word * 32 + static_cast<std::uint32_t>(__builtin_ctz(waiting));
+    waiting_[word].clear_bits(bit_of(place));
+    if (place < count_) ask(*slots_[place]);
     return;
   }
+}
+
+void Rs485::ask(Rs485Slot& slot) {
+  active_ = &slot;
+  slot.state_.store(SlotState::kActive);
+  const std::size_t size = least(slot.size_, port_->transmit_capacity());  // which start() has seen to
+  move_bytes(slot.bytes_, port_->transmit_buffer(), size);
+  reply_from_ = port_->received();
+  port_->transmit(size);
+  deadline_ = now() + 2 * (slot.size_ + slot.reply_size_) * byte_time_ + kReplySlack;  // not before: see take_reply()
 }
 
 void Rs485::finish(SlotState result) {

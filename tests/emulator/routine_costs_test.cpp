@@ -180,13 +180,16 @@ std::string exchanges(const std::string& port, int clock_khz, int devices, int p
   return list;
 }
 
-/// Two devices that ask on an RS-485 line, which a third looks at more often.
-const std::string kQuestions = R"(
+/// Devices that ask on an RS-485 line, which another looks at more often.
+std::string questions(int devices) {
+  std::string list = R"(
 <bus name="line" type="rs485" port="usart1" baud="921600baud"><param name="direction">PI0</param></bus>
-<device name="one" type="questioner" bus="line" id="7" period="10ms"/>
-<device name="other" type="questioner" bus="line" id="8" period="10ms"/>
 <device name="often" type="sim_load" period="1ms"><param name="update">1us</param><param name="handle">1us</param></device>
 )";
+  for (int id = 1; id <= devices; ++id)
+    list += fmt::format("<device name=\"ask{0}\" type=\"questioner\" bus=\"line\" id=\"{0}\" period=\"10ms\"/>\n", id);
+  return list;
+}
 
 /// Drawn by the campaign, and shrunk: looks at an I2C bus find its transfer behind the deadline, and going on.
 const std::string kLateTransfer = R"(
@@ -238,7 +241,7 @@ const std::string kLines = R"(
 
 TEST_CASE("serial lines: events and ends of laps and of what is sent") {
   Held events, laps, ends;
-  const Swept lines = sweep(kLines, flooded()), asked = sweep(kQuestions, flooded());
+  const Swept lines = sweep(kLines, flooded()), asked = sweep(questions(2), flooded());
   for (const char* line : {"USART1", "USART3"})
     events.add(line, lines.longest_own("source", line), lines.source("rx_idle"));
   laps.add("laps of a UART", lines.longest_own("source", "DMA2_Stream5"), lines.source("rx_dma"));
@@ -335,7 +338,7 @@ TEST_CASE("jobs: by stages, and what a flush adds") {
   for (const int count : {1, 8}) hold(fmt::format("{} motors", count), sweep(kCan + motors(count, 2)));
   for (const int expanders : {1, 4}) hold(fmt::format("{} expanders", expanders), sweep(on_i2c(400, expanders)));
   hold("exchanges", sweep(exchanges("spi1", 5250, 2, 4)));
-  hold("questions", sweep(kQuestions, flooded()));
+  for (const int devices : {2, 90}) hold(fmt::format("questions of {}", devices), sweep(questions(devices), flooded()));
   Setting drawn;
   drawn.devices = source_path("tests/campaign/devices");
   drawn.tick = "500us";

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "finemote/at_start.hpp"
 #include "finemote/bus_counters.hpp"
 #include "finemote/mark.hpp"
 #include "finemote/ports.hpp"
@@ -46,6 +47,7 @@ class Rs485Slot {
   const std::uint8_t* bytes_ = nullptr;
   std::uint16_t size_ = 0, reply_size_ = 0;
   std::uint8_t id_, priority_, failures_ = 0;
+  AtStart<std::uint32_t> place_{0};  ///< in the table of the bus
   Shared<SlotState> state_{SlotState::kIdle};
   std::uint8_t reply_[kMaxReply]{};
 };
@@ -60,10 +62,14 @@ class Rs485 {
   /// @param slots  every slot of this line, most urgent first
   template <std::size_t N>
   constexpr Rs485(UartPort& port, std::int64_t baud, UartRing ring, Rs485Slot* const (&slots)[N])
-      : port_(&port), ring_(ring), slots_(slots), count_(N), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
+      : port_(&port), ring_(ring), slots_(slots), count_(N), baud_(baud), byte_time_(10 * 1000000000LL / baud) {
+    static_assert(N <= kMaxSlots, "too many devices on one RS-485 line");
+  }
   /// A line without devices.
   constexpr Rs485(UartPort& port, std::int64_t baud, UartRing ring)
       : port_(&port), ring_(ring), slots_(nullptr), count_(0), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
+
+  static constexpr std::size_t kMaxSlots = 256;  ///< devices: as many as there are identifiers
 
   /// Sets the port up. Context: init.
   void start();
@@ -80,18 +86,22 @@ class Rs485 {
 
  private:
   friend class Rs485Slot;
+  static constexpr std::size_t kWords = kMaxSlots / 32;
+
   void carry_on();
   void take_reply();
   void pick();
+  void ask(Rs485Slot& slot);
   void finish(SlotState result);
 
   UartPort* const port_;
   const UartRing ring_;
   Rs485Slot* const* const slots_;
-  const std::uint8_t count_;
+  const std::uint16_t count_;
   const std::int64_t baud_;
   const Duration byte_time_;
   Shared<bool> busy_{false};
+  Shared<std::uint32_t> waiting_[kWords];  ///< a bit for each slot, by its place: looked at without a look at the slots
   Rs485Slot* active_ = nullptr;
   std::uint32_t reply_from_ = 0;
   Time deadline_ = 0;
