@@ -12,7 +12,7 @@ std::vector<Member> serial_line() {
 std::vector<Member> pace(double period_ns) {
   return {usually(period_ns, integer("period_ns", "ns", "between two frames", 1, kLongest)),
           integer("phase_ns", "ns", "of the first", 0, kLongest),
-          usually(0, number("clock_ppm", "ppm", "how much faster its clock runs than the board's", -1e5, 1e5))};
+          usually(0, number("clock_ppm", "ppm", "how much faster its clock runs than the board's", -2e5, 2e5))};
 }
 
 std::vector<Member> i2c_place() {

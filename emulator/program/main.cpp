@@ -39,7 +39,6 @@ void take_memory_in_large_pieces() {
 }
 
 int run(const Words& words) {
-  take_memory_in_large_pieces();
   if (words.size() == 2 && words[0].compare(0, 2, "--") != 0) {
     run_job(words[0], words[1]);
     return 0;
@@ -59,8 +58,11 @@ int run(const Words& words) {
 }  // namespace
 
 int main(int count, char** words) {
+  take_memory_in_large_pieces();
   try {
-    return run(Words(words + 1, words + count));
+    const int status = run(Words(words + 1, words + count));
+    if (!std::cout.flush()) throw std::runtime_error("cannot write to stdout");
+    return status;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

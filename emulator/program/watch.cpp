@@ -15,6 +15,7 @@
 #include "emulator/program/onboard_parts.hpp"
 #include "emulator/scenario/read.hpp"
 #include "generator/diagnostic/render.hpp"
+#include "generator/json/shallow.hpp"
 
 namespace finemote::emulator {
 namespace {
@@ -36,14 +37,14 @@ struct Setting {
 /// Mistakes are shown at their words; warnings go to stderr. @throws std::invalid_argument with all of them
 void read_scenario(const std::string& path, Setting& setting) {
   const gen::SourceFile file{path, path, text_of(path)};
-  const Json maybe_scenario = Json::parse(file.text, nullptr, false);
+  const auto maybe_scenario = gen::json::parse_shallow<Json>(file.text);
   setting.parts = onboard_parts(setting.board_file, maybe_scenario);
   gen::Diagnostics diagnostics;
   const auto tree = scenario::read(file, world_of(setting.board_file, setting.parts), diagnostics);
   const std::string findings = gen::render_text(diagnostics, false);
   if (!tree) throw std::invalid_argument(findings);
   std::fputs(findings.c_str(), stderr);
-  setting.scenario = Json::parse(file.text);
+  setting.scenario = maybe_scenario;
   setting.last_event_ns = static_cast<std::uint64_t>(scenario::last_event_ns(*tree));
 }
 

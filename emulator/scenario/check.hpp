@@ -23,7 +23,7 @@ struct World {
   std::vector<Part> parts;
   std::optional<std::vector<std::string>> ports;  ///< of the robot's buses; none: every port of the board is in use
   std::vector<std::string> shared;                ///< ports at which several parts may send
-  std::optional<std::int64_t> duration_ns;        ///< of the run; none: not known
+  std::optional<std::int64_t> duration_ns;        ///< that the run lasts at most; none: not known
   std::map<std::string, unsigned> selects = {};   ///< chip selects of the board's SPI ports; empty: not known
   bool judges_wiring = true;                      ///< false: parts may stand in each other's way
 };

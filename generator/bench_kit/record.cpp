@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <set>
 
+#include "generator/json/shallow.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -42,18 +44,20 @@ bool names_one_twice(const BenchRecord& record) {
                       [&](const auto& it) { return names.insert(it.name).second; });
 }
 
-/// Of one object, and of those in it, each member has a name of its own: nobody can tell which of two is meant.
+/// Of one object, and of those in it, each member has a name of its own: nobody can tell which of two is meant. Nor is
+/// a record nested deeper than any file of ours.
 std::optional<Json> parse_once_named(const std::string& text) {
   std::vector<std::set<std::string>> members;
-  bool is_twice = false;
-  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+  bool is_twice = false, is_deep = false;
+  const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
     if (event == Json::parse_event_t::object_start) members.emplace_back();
     if (event == Json::parse_event_t::object_end) members.pop_back();
     if (event == Json::parse_event_t::key && !members.back().insert(parsed.get<std::string>()).second) is_twice = true;
-    return true;
+    is_deep = is_deep || depth > json::kMaxDepth;
+    return !is_deep;
   };
   Json parsed = Json::parse(text, watch, false);
-  return is_twice || parsed.is_discarded() ? std::nullopt : std::optional(std::move(parsed));
+  return is_twice || is_deep || parsed.is_discarded() ? std::nullopt : std::optional(std::move(parsed));
 }
 
 std::optional<BenchRecord> record_of(const Json& document) {
@@ -129,7 +133,7 @@ Json expectation_of(const BenchTest& test) {
 }
 
 std::optional<BenchRecord> find_bench_record(const std::string& text) {
-  if (Json::parse(text, nullptr, false).is_object()) {
+  if (json::parse_shallow<Json>(text).is_object()) {
     const auto whole = parse_once_named(text);
     return whole ? record_of(*whole) : std::nullopt;
   }

@@ -278,6 +278,8 @@ std::vector<std::string> mistakes_for_sources(const Board& board, const std::vec
     if (!board.is_host() && find_memory(board, name) == nullptr)
       mistakes.push_back(fmt::format("there is no memory '{}'", name));
   }
+  if (find_memory(board, "code") != nullptr && find_memory(board, "ccm") == nullptr)
+    mistakes.emplace_back("there is no memory 'ccm', where data lie while code runs in RAM");
   return mistakes;
 }
 

@@ -49,6 +49,4 @@ const char* class_name(PortClass kind) {
   throw std::logic_error("no class of ports");
 }
 
-std::uint32_t edge_interrupt(const PinName& pin) { return pin.number < 5 ? 6 + pin.number : pin.number < 10 ? 23 : 40; }
-
 }  // namespace finemote::gen

@@ -28,7 +28,4 @@ std::vector<PortObject> port_objects(const Board& board);
 /// `Uart`, before `Port` and `Hardware`.
 const char* class_name(PortClass kind);
 
-/// Interrupt line of the EXTI line of a pin: RM0090 12.2, table 62.
-std::uint32_t edge_interrupt(const PinName& pin);
-
 }  // namespace finemote::gen

@@ -6,14 +6,16 @@
 namespace finemote::gen {
 namespace {
 
+/// What the chip makes of it, where that is slower.
+template <double (*nearest)(double, double)>
+std::int64_t slowest_of(std::int64_t clock_hz, std::int64_t wanted) {
+  const double made = nearest(static_cast<double>(clock_hz), static_cast<double>(wanted));
+  return std::min(wanted, static_cast<std::int64_t>(made));
+}
+
 /// As runtime/chips/stm32f4/ports/uart.cpp sets BRR: the nearest divider.
 double nearest_usart_rate(double clock_hz, double wanted) {
   return clock_hz / std::max(16.0, std::round(clock_hz / wanted));
-}
-
-std::int64_t slowest_usart_rate(std::int64_t clock_hz, std::int64_t wanted) {
-  const double nearest = nearest_usart_rate(static_cast<double>(clock_hz), static_cast<double>(wanted));
-  return std::min(wanted, static_cast<std::int64_t>(nearest));
 }
 
 double nearest_i2c_rate(double clock_hz, double wanted) {
@@ -61,12 +63,16 @@ constexpr const RateRule* kRules[] = {&kStm32Usart, &kStm32I2c, &kStm32Spi, &kSt
 }  // namespace
 
 constinit const RateRule kStm32Usart{
-    .name = "stm32_usart", .kinds = kSerial, .nearest = nearest_usart_rate, .slowest = slowest_usart_rate};
+    .name = "stm32_usart", .kinds = kSerial, .nearest = nearest_usart_rate, .slowest = slowest_of<nearest_usart_rate>};
 constinit const RateRule kStm32I2c{
     .name = "stm32_i2c", .kinds = kI2c, .nearest = nearest_i2c_rate, .slowest = slowest_i2c_rate};
-constinit const RateRule kStm32Spi{
-    .name = "stm32_spi", .kinds = kSpi, .nearest = nearest_spi_rate, .all = all_spi_rates};
-constinit const RateRule kStm32Can{.name = "stm32_can", .kinds = kCan, .nearest = nearest_can_rate};
+constinit const RateRule kStm32Spi{.name = "stm32_spi",
+                                   .kinds = kSpi,
+                                   .nearest = nearest_spi_rate,
+                                   .slowest = slowest_of<nearest_spi_rate>,
+                                   .all = all_spi_rates};
+constinit const RateRule kStm32Can{
+    .name = "stm32_can", .kinds = kCan, .nearest = nearest_can_rate, .slowest = slowest_of<nearest_can_rate>};
 
 const RateRule* rate_rule(std::string_view name) {
   const auto* found =

@@ -12,9 +12,11 @@
 #include "generator/cli/progress.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/settings.hpp"
+#include "generator/cli/subject.hpp"
 #include "generator/input/input.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/output/unified_diff.hpp"
+#include "generator/timing/json.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -51,23 +53,19 @@ std::optional<Side> folder_side(const std::string& folder, const files::Access& 
   return side;
 }
 
-/// A `.json` model: every device and bus member is a fact, the document itself the text.
-std::optional<Side> model_side(const std::string& path, const files::Access& access, Diagnostics& diagnostics) {
-  const auto text = access.read(path, xml::kMaxFileSize);
-  const Json json = Json::parse(text.value_or(""), nullptr, false);
-  if (!text || json.is_discarded() || !json.is_object()) {
-    diagnostics.error(code::unreadable_file, {}, fmt::format("'{}' is not a timing model", path));
-    return std::nullopt;
-  }
-  const Json& model = json.contains("model") ? json["model"] : json;
+/// A `.json` model: every member of a device or bus is a fact, the model as it was understood the text.
+std::optional<Side> model_side(const Options& options, const std::string& path, Sources& sources,
+                               Diagnostics& diagnostics) {
+  Options of_side = options;
+  of_side.input = path;
+  const auto subject = read_subject(of_side, {}, sources, diagnostics);
+  if (!subject) return std::nullopt;
+  const Json model = timing::model_json(subject->model);
   Side side;
   side.texts["model.json"] = model.dump(2) + "\n";
-  for (const char* list : {"buses", "devices"}) {
-    if (!model.contains(list) || !model[list].is_array()) continue;
+  for (const auto& [kind, list] : {std::pair("bus", "buses"), std::pair("device", "devices")}) {
     for (const Json& entry : model[list]) {
-      if (!entry.is_object()) continue;
-      const std::string kind = std::string_view(list) == "buses" ? "bus" : "device";
-      auto& facts = side.facts[fmt::format("{} '{}'", kind, entry.value("name", ""))];
+      auto& facts = side.facts[fmt::format("{} '{}'", kind, entry["name"].get<std::string>())];
       for (const auto& [key, value] : entry.items()) {
         if (key != "name") facts[key] = value.dump();
       }
@@ -112,7 +110,7 @@ bool can_compile(const std::string& operand, Diagnostics& diagnostics) {
 std::optional<Side> read_side(const Options& options, const std::string& operand, Sources& sources,
                               Diagnostics& diagnostics) {
   if (fs::is_directory(operand)) return folder_side(operand, sources.access(), diagnostics);
-  if (is_timing_model(operand)) return model_side(operand, sources.access(), diagnostics);
+  if (is_timing_model(operand)) return model_side(options, operand, sources, diagnostics);
   return planned_side(options, operand, sources, diagnostics);
 }
 

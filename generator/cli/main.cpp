@@ -2,6 +2,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -21,6 +23,7 @@
 #include "generator/diagnostic/render.hpp"
 #include "generator/file/descriptor_buffer.hpp"
 #include "generator/file/system_reason.hpp"
+#include "generator/run/process.hpp"
 
 namespace {
 
@@ -116,6 +119,13 @@ int run_words(const std::vector<std::string>& words, std::ostream& out) {
   }
 }
 
+/// Ends as whoever asked for it expects, now that nothing is left behind.
+[[noreturn]] void stop_as_asked(int signal) {
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+  std::exit(kExitInternal);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -125,7 +135,12 @@ int main(int argc, char** argv) {
   DescriptorBuffer standard_output(STDOUT_FILENO);
   std::ostream out(&standard_output);
   std::cerr.tie(&out);  // what was said first comes first, where both go to one place
-  const int status = run_words(std::vector<std::string>(argv + 1, argv + argc), out);
+  int status = kExitInternal;
+  try {
+    status = run_words(std::vector<std::string>(argv + 1, argv + argc), out);
+  } catch (const StopRequested& stop) {
+    stop_as_asked(stop.signal);
+  }
   out.flush();
   if (standard_output.error() == 0) return status;
   // Whoever reads the result would take what is there for all of it.

@@ -14,9 +14,9 @@
 namespace finemote::gen {
 namespace {
 
-std::optional<Duration> duration_of(const std::string& asked, const Schedule& schedule, Diagnostics& diagnostics) {
-  if (asked.empty()) return default_duration(schedule);
-  return time_option("--duration", asked, "100ms", diagnostics);
+std::optional<Duration> duration_of(const Options& options, const Schedule& schedule, Diagnostics& diagnostics) {
+  if (options.duration.empty()) return default_duration(schedule);
+  return duration_option(options, "100ms", "instruction", diagnostics);
 }
 
 /// The first bus whose port the board lacks; null: none, or the board takes every port.
@@ -75,7 +75,7 @@ std::optional<RunSetup> run_setup(const Options& options, const std::string& dat
                                   Sources& sources, Diagnostics& diagnostics) {
   const Board* board = playing_board(options.board, planned, sources, diagnostics);
   if (board == nullptr) return std::nullopt;
-  const auto duration = duration_of(options.duration, planned.schedule, diagnostics);
+  const auto duration = duration_of(options, planned.schedule, diagnostics);
   if (!duration) return std::nullopt;
   const std::string strictness = options.slowest && options.silicon.empty() ? "strict" : options.silicon;
   auto silicon = emulator::parse_silicon(strictness, diagnostics);

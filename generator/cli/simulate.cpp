@@ -44,22 +44,13 @@ std::string text(const SimulatedModel& simulated, const SimulationRequest& reque
   return text;
 }
 
-/// What takes hours at the usual periods; longer ones would seem to hang.
-constexpr Duration kLongestSimulation = seconds(86'400);
-
 SimulationRequest request_of(const Options& options, Diagnostics& diagnostics) {
   SimulationRequest request;
   request.seed = options.seed;
   request.chains = options.chains;
   request.profile = profile_option(options.profile, diagnostics);
-  const auto duration = time_option("--duration", options.duration, "50us", diagnostics);
+  const auto duration = duration_option(options, "50us", "release", diagnostics);
   if (duration) request.duration = *duration;
-  if (request.duration > kLongestSimulation) {
-    diagnostics
-        .error(code::usage, {},
-               fmt::format("--duration is too long: '{}'; every release of that time is simulated", options.duration))
-        .hint(fmt::format("write at most {}", units::format_duration(kLongestSimulation)));
-  }
   return request;
 }
 

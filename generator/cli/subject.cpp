@@ -4,6 +4,7 @@
 
 #include "generator/cli/robot_input.hpp"
 #include "generator/input/input.hpp"
+#include "generator/input/read_document.hpp"
 #include "generator/timing/read_model.hpp"
 #include "generator/units/units.hpp"
 #include "generator/xml/read_source.hpp"
@@ -23,7 +24,10 @@ std::optional<Subject> read_timing_model(const std::string& path, Sources& sourc
 
 std::optional<Subject> read_subject(const Options& options, const timing::RobotTimingOptions& robot_options,
                                     Sources& sources, Diagnostics& diagnostics) {
-  if (is_timing_model(options.input)) return read_timing_model(options.input, sources, diagnostics);
+  if (is_timing_model(options.input)) {
+    if (refuse_arguments(options.input, options.arguments, diagnostics)) return std::nullopt;
+    return read_timing_model(options.input, sources, diagnostics);
+  }
   const auto input = input_of(options, diagnostics);
   if (!input) return std::nullopt;
   auto planned = plan_robot(*input, sources, diagnostics);
@@ -41,6 +45,19 @@ std::optional<Duration> time_option(const char* option, const std::string& text,
   if (parsed && *parsed > Duration::zero()) return *parsed;
   diagnostics.error(code::usage, {}, fmt::format("{} must be a time greater than zero, got '{}'", option, text))
       .hint(fmt::format("write for example {} {}", option, example));
+  return std::nullopt;
+}
+
+std::optional<Duration> duration_option(const Options& options, const char* example, const char* gone_through,
+                                        Diagnostics& diagnostics) {
+  constexpr Duration kLongest = seconds(86'400);
+  const auto duration = time_option("--duration", options.duration, example, diagnostics);
+  if (!duration || *duration <= kLongest) return duration;
+  diagnostics
+      .error(code::usage, {},
+             fmt::format("--duration is too long: '{}'; every {} of that time is simulated", options.duration,
+                         gone_through))
+      .hint(fmt::format("write at most {}", units::format_duration(kLongest)));
   return std::nullopt;
 }
 

@@ -27,6 +27,11 @@ std::optional<Subject> read_subject(const Options& options, const timing::RobotT
 std::optional<Duration> time_option(const char* option, const std::string& text, const char* example,
                                     Diagnostics& diagnostics);
 
+/// The same of --duration, which is a day at most: longer ones would seem to hang.
+/// @param gone_through  what that time is made of
+std::optional<Duration> duration_option(const Options& options, const char* example, const char* gone_through,
+                                        Diagnostics& diagnostics);
+
 /// The value of --profile; none where it is not given, or wrong: then FM0001 is reported.
 std::optional<timing::Profile> profile_option(const std::string& name, Diagnostics& diagnostics);
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/descriptor/check_clocks.hpp"
 #include "generator/descriptor/contradictions.hpp"
 #include "generator/descriptor/runtime_limits.hpp"
 #include "generator/descriptor/whole_cycles.hpp"
@@ -26,7 +27,7 @@ class BoardCheck {
     check_lines(board);
     check_line_words(board);
     check_levels(board);
-    check_clock(board);
+    check_clocks(board, found_);
     check_tick(board);
     check_pulses(board);
     check_pins(board);
@@ -96,6 +97,10 @@ class BoardCheck {
   void check_levels(const Board& board) {
     if (board.first_bucket_level > board.last_bucket_level)
       contradiction({"priorities", "buckets", "1"}, "the last level for buckets is below the first");
+    if (board.first_bucket_level <= runtime_limits::kReleaseLevel)
+      contradiction({"priorities", "buckets", "0"},
+                    fmt::format("buckets need levels above {}, which is the release's: they would keep it out",
+                                runtime_limits::kReleaseLevel));
   }
 
   /// One store to a register of the interrupt controller, which has 32 lines, releases all buckets of an instant.
@@ -112,18 +117,6 @@ class BoardCheck {
       contradiction({"spare_lines"}, fmt::format("{} lines; the scheduler has room for {} buckets", board.lines.size(),
                                                  runtime_limits::kBuckets));
     }
-  }
-  /// The runtime makes the core's clock from the crystal.
-  void check_clock(const Board& board) {
-    if (!board.clocks) return;
-    const Clocks& clocks = *board.clocks;
-    const std::int64_t vco = std::int64_t{clocks.crystal_hz} * clocks.pll_n, divider = clocks.pll_m * clocks.pll_p;
-    if (vco == board.cpu_hz * divider) return;
-    Diagnostic& finding =
-        found_.add(found_.nearest({"cpu", "clock_hz"}, {"clocks"}),
-                   fmt::format("the core is to run at {} Hz, but {} Hz of the crystal x n / m / p is {} Hz",
-                               board.cpu_hz, clocks.crystal_hz, vco / divider));
-    if (vco % divider == 0) finding.hint(fmt::format("this crystal and \"pll\" make \"clock_hz\": {}", vco / divider));
   }
   void check_default_tick(const Board& board) {
     if (is_whole_cycles(board, board.default_tick)) return;

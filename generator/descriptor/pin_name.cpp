@@ -25,4 +25,6 @@ PinName pin_name(std::string_view text) {
   return *pin;
 }
 
+std::uint32_t edge_interrupt(const PinName& pin) { return pin.number < 5 ? 6 + pin.number : pin.number < 10 ? 23 : 40; }
+
 }  // namespace finemote::gen

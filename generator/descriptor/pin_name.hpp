@@ -28,4 +28,8 @@ std::optional<PinName> parse_pin(std::string_view text);
 /// @throws std::invalid_argument  it is none
 PinName pin_name(std::string_view text);
 
+/// Interrupt line of the EXTI line of a pin of an STM32F4, whose routine looks at all pins that share it: RM0090 12.2,
+/// table 62.
+std::uint32_t edge_interrupt(const PinName& pin);
+
 }  // namespace finemote::gen

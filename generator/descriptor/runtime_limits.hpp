@@ -15,6 +15,9 @@ inline constexpr std::int64_t kPeriodTicks = 0x7FFF'FFFF;
 /// Buckets: finemote::kMaxBuckets.
 inline constexpr std::size_t kBuckets = 11;
 
+/// NVIC priority level of the release, below which buckets run: kReleasePriority of runtime/chips/cortex_m4/core.hpp.
+inline constexpr std::uint32_t kReleaseLevel = 3;
+
 /// Release instants of a hyperperiod that the release timer keeps in its ring: one less than kSlots of
 /// runtime/chips/cortex_m4/release.cpp. With more it plans each anew.
 inline constexpr std::size_t kReleaseInstants = 6;

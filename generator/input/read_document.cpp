@@ -14,17 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Arguments mean something to xacro alone; to forget that silently would be worse than an error.
-bool refuse_arguments(const Input& input, Diagnostics& diagnostics) {
-  if (is_xacro(input.path) || input.arguments.empty()) return false;
-  const auto& [name, value] = input.arguments.front();
-  diagnostics
-      .error(code::usage, {},
-             fmt::format("'{}:={}' is for xacro, and '{}' is not read as xacro", name, value, input.path))
-      .hint("give the file the suffix .xacro");
-  return true;
-}
-
 bool refuse_model(const Input& input, Diagnostics& diagnostics) {
   if (!is_timing_model(input.path)) return false;
   diagnostics.error(code::usage, {}, fmt::format("'{}' is a timing model; this command needs a robot", input.path))
@@ -33,6 +22,17 @@ bool refuse_model(const Input& input, Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+/// To forget silently what means something to xacro alone would be worse than an error.
+bool refuse_arguments(const std::string& path, const std::vector<std::pair<std::string, std::string>>& arguments,
+                      Diagnostics& diagnostics) {
+  if (is_xacro(path) || arguments.empty()) return false;
+  const auto& [name, value] = arguments.front();
+  Diagnostic& finding = diagnostics.error(
+      code::usage, {}, fmt::format("'{}:={}' is for xacro, and '{}' is not read as xacro", name, value, path));
+  if (!is_timing_model(path)) finding.hint("give the file the suffix .xacro");
+  return true;
+}
 
 std::vector<std::pair<std::string, std::string>> package_folders(const std::vector<std::string>& words,
                                                                  Diagnostics& diagnostics) {
@@ -58,7 +58,8 @@ xacro::Arguments xacro_arguments(const std::vector<std::pair<std::string, std::s
 }
 
 std::optional<xml::Document> read_document(const Input& input, Sources& sources, Diagnostics& diagnostics) {
-  if (refuse_arguments(input, diagnostics) || refuse_model(input, diagnostics)) return std::nullopt;
+  if (refuse_arguments(input.path, input.arguments, diagnostics) || refuse_model(input, diagnostics))
+    return std::nullopt;
   const SourceFile* file = input.text != nullptr ? sources.add({input.path, input.path, *input.text})
                                                  : xml::read_source(input.path, sources, diagnostics);
   if (file == nullptr) return std::nullopt;

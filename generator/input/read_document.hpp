@@ -14,6 +14,10 @@ namespace finemote::gen {
 /// form, and what xml::read_source, xml::parse and xacro::expand report; none after an error.
 std::optional<xml::Document> read_document(const Input& input, Sources& sources, Diagnostics& diagnostics);
 
+/// FM0001 for arguments of a file that is no xacro: true where there are some.
+bool refuse_arguments(const std::string& path, const std::vector<std::pair<std::string, std::string>>& arguments,
+                      Diagnostics& diagnostics);
+
 /// `name=dir` words, each folder from the working directory. Reports FM0001 for words of another form.
 std::vector<std::pair<std::string, std::string>> package_folders(const std::vector<std::string>& words,
                                                                  Diagnostics& diagnostics);

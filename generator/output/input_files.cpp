@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "generator/output/sha256.hpp"
+#include "generator/xacro/packages.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -20,7 +21,8 @@ fs::path package_of(fs::path folder) {
   return {};
 }
 
-std::string manifest_name(const fs::path& path, const fs::path& input_folder, const fs::path& data_dir) {
+std::string manifest_name(const fs::path& path, const fs::path& input_folder, const fs::path& data_dir,
+                          const files::Access& access) {
   const fs::path file = fs::weakly_canonical(path);
   const auto inside = [&](const fs::path& folder) -> std::string {
     const std::string relative = file.lexically_relative(fs::weakly_canonical(folder)).generic_string();
@@ -32,7 +34,7 @@ std::string manifest_name(const fs::path& path, const fs::path& input_folder, co
   if (!near.empty()) return near;
   const fs::path package = package_of(file.parent_path());
   if (package.empty()) return file.lexically_relative(fs::weakly_canonical(input_folder)).generic_string();
-  return "package://" + package.filename().string() + "/" + file.lexically_relative(package).generic_string();
+  return "package://" + xacro::package_name(package, access) + "/" + file.lexically_relative(package).generic_string();
 }
 
 }  // namespace
@@ -43,8 +45,8 @@ std::vector<HashedFile> input_files(const Sources& sources, const std::string& i
   for (const SourceFile& file : sources.files()) {
     const bool is_stdin = file.path.empty() || file.path == "-";
     const auto bytes = is_stdin ? std::optional(file.text) : sources.access().read(file.path, xml::kMaxFileSize);
-    files.push_back(
-        {is_stdin ? "stdin" : manifest_name(file.path, input_folder, data_dir), sha256(bytes.value_or(file.text))});
+    files.push_back({is_stdin ? "stdin" : manifest_name(file.path, input_folder, data_dir, sources.access()),
+                     sha256(bytes.value_or(file.text))});
   }
   std::sort(files.begin(), files.end(), [](const HashedFile& a, const HashedFile& b) { return a.name < b.name; });
   files.erase(std::unique(files.begin(), files.end()), files.end());

@@ -41,7 +41,7 @@ std::string manifest_text(const Manifest& manifest) {
   if (!manifest.options.empty()) json["options"] = manifest.options;
   json["inputs"] = file_list(manifest.inputs);
   json["outputs"] = file_list(manifest.outputs);
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // names of files may be no UTF-8
 }
 
 std::optional<Manifest> parse_manifest(const std::string& text) {

@@ -100,8 +100,8 @@ void report(const Folder& folder, std::vector<Obstacle> obstacles, const std::st
     const bool all_generated = std::all_of(obstacles.begin(), obstacles.end(),
                                            [&](const Obstacle& o) { return is_generated(folder.root / o.name); });
     const std::string path_of_folder = folder.root.generic_string();
-    if (all_generated) finding.hint(fmt::format("after a merge: rm -r '{}', then generate again", path_of_folder));
-    finding.hint(way_out);
+    const std::string after_merge = fmt::format("; after a merge: rm -r '{}', then generate again", path_of_folder);
+    finding.hint(way_out + (all_generated ? after_merge : ""));
   }
 }
 

@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/signalfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <climits>
+#include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -17,6 +21,37 @@ namespace {
 
 constexpr std::size_t kMostOutput = std::size_t{256} << 20;
 constexpr int kNoSuchProgram = 127;
+
+/// While it lives, signals that ask this process to stop are kept and can be polled for.
+class StopRequests {
+ public:
+  StopRequests() {
+    sigset_t asked;
+    sigemptyset(&asked);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&asked, signal);
+    sigprocmask(SIG_BLOCK, &asked, &before_);
+    file_ = signalfd(-1, &asked, SFD_CLOEXEC);
+  }
+  ~StopRequests() {
+    close(file_);
+    let_through();
+  }
+  StopRequests(const StopRequests&) = delete;
+  StopRequests& operator=(const StopRequests&) = delete;
+
+  /// As they were before: what a new program starts with.
+  void let_through() const { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  [[nodiscard]] int file() const { return file_; }  ///< readable when there is one; -1: they cannot be polled for
+  /// The one that was asked for.
+  [[nodiscard]] int signal() const {
+    signalfd_siginfo info{};
+    return read(file_, &info, sizeof info) == sizeof info ? static_cast<int>(info.ssi_signo) : SIGTERM;
+  }
+
+ private:
+  sigset_t before_{};
+  int file_ = -1;
+};
 
 [[noreturn]] void become(std::vector<std::string> command, const std::vector<std::string>& environment, int out) {
   setpgid(0, 0);
@@ -39,18 +74,21 @@ constexpr int kNoSuchProgram = 127;
   _exit(kNoSuchProgram);
 }
 
-/// Collects output until the pipe closes; false when the time is over.
-bool collect(int pipe, std::chrono::steady_clock::time_point end, std::string& output) {
+enum class End : std::uint8_t { closed, timed_out, stopped };
+
+/// Collects output until the pipe closes, the time is over, or this process is asked to stop.
+End collect(int pipe, int stop, std::chrono::steady_clock::time_point end, std::string& output) {
   std::array<char, 65536> chunk{};
   for (;;) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
-    if (left.count() <= 0) return false;
-    pollfd wait{pipe, POLLIN, 0};
-    const int ready = poll(&wait, 1, static_cast<int>(left.count()));
+    if (left.count() <= 0) return End::timed_out;
+    std::array<pollfd, 2> wait{{{pipe, POLLIN, 0}, {stop, POLLIN, 0}}};
+    const int ready = poll(wait.data(), wait.size(), static_cast<int>(std::min<std::int64_t>(left.count(), INT_MAX)));
     if (ready < 0 && errno == EINTR) continue;
-    if (ready <= 0) return false;
+    if (ready <= 0) return End::timed_out;
+    if (wait[1].revents != 0) return End::stopped;
     const ssize_t count = read(pipe, chunk.data(), chunk.size());
-    if (count <= 0) return true;
+    if (count <= 0) return End::closed;
     if (output.size() < kMostOutput) output.append(chunk.data(), static_cast<std::size_t>(count));
   }
 }
@@ -61,17 +99,23 @@ ProcessResult run_process(const std::vector<std::string>& command, std::chrono::
                           const std::vector<std::string>& environment) {
   std::array<int, 2> pipes{};
   if (pipe2(pipes.data(), O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
+  const StopRequests stop;
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot start a process");
-  if (child == 0) become(command, environment, pipes[1]);
+  if (child == 0) {
+    stop.let_through();
+    become(command, environment, pipes[1]);
+  }
   close(pipes[1]);
 
   ProcessResult result;
-  result.timed_out = !collect(pipes[0], std::chrono::steady_clock::now() + limit, result.output);
-  if (result.timed_out) kill(-child, SIGKILL);
+  const End end = collect(pipes[0], stop.file(), std::chrono::steady_clock::now() + limit, result.output);
+  result.timed_out = end == End::timed_out;
+  if (end != End::closed) kill(-child, SIGKILL);
   close(pipes[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+  if (end == End::stopped) throw StopRequested{stop.signal()};
   result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result.started = result.exit_status != kNoSuchProgram;
   return result;

@@ -16,9 +16,15 @@ struct ProcessResult {
   std::string output;      ///< stdout and stderr in the order written
 };
 
+/// Thrown where this process was told to stop (SIGINT, SIGTERM, SIGHUP) while another program ran, which has been
+/// killed. No std::exception: nothing but main() is to take it for handled.
+struct StopRequested {
+  int signal;
+};
+
 /// Looks `command[0]` up in PATH, gives it no input, and waits at most `limit`; then the whole process group is killed.
 /// Of `environment`, NAME=value is set beside the inherited ones, and NAME alone is removed. Output beyond 256 MiB is
-/// dropped.
+/// dropped. Throws StopRequested.
 ProcessResult run_process(const std::vector<std::string>& command, std::chrono::seconds limit,
                           const std::vector<std::string>& environment = {});
 

@@ -5,6 +5,7 @@
 #include "emulator/scenario/read.hpp"
 #include "generator/bus/bus_type.hpp"
 #include "generator/json/parse.hpp"
+#include "generator/run/bring_up.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -57,7 +58,7 @@ scenario::World scenario_world(const Robot& robot, const EmulatedParts& parts, D
   for (const Port& port : robot.board->ports) {
     if (!port.selects.empty()) world.selects[port.name] = static_cast<unsigned>(port.selects.size());
   }
-  world.duration_ns = duration.ns();
+  world.duration_ns = (longest_bring_up(robot) + duration).ns();
   return world;
 }
 

@@ -6,6 +6,7 @@
 #include <cerrno>
 
 #include "generator/file/system_reason.hpp"
+#include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
 
@@ -13,6 +14,11 @@ namespace fs = std::filesystem;
 
 WorkFolder::WorkFolder(const std::string& kept, Diagnostics& diagnostics) : path_(kept), keep_(!kept.empty()) {
   std::error_code failed;
+  if (xml::find_invalid_utf8(kept) != std::string::npos) {
+    diagnostics.error(code::output_not_writable, {},
+                      fmt::format("cannot write '{}': its name is not UTF-8", path_.generic_string()));
+    return;
+  }
   if (keep_)
     fs::create_directories(path_, failed);
   else

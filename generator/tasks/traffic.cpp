@@ -1,9 +1,11 @@
 #include "generator/tasks/traffic.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/line_format.hpp"
+#include "generator/descriptor/pin_name.hpp"
 #include "generator/model/part_clock.hpp"
 #include "generator/model/shared_frame.hpp"
 #include "generator/model/streamed_frames.hpp"
@@ -18,6 +20,18 @@ constexpr Duration kAnyDistance = nanoseconds(1);
 /// It answers the frame that its device fills together with others.
 bool is_reply(const gen::Device& device, const Frame& frame, const WireRate& rate) {
   return bus_type(rate.kind).is_arbitrated && frame.write_bytes == 0 && frame.read_bytes > 0 && shared_frame_of(device);
+}
+
+/// The routine of a line asks for each pin of the board that shares it, used or not: measured with five.
+Duration looks_at_others(const Board& board, const std::string& pin) {
+  constexpr Duration kLook = nanoseconds(300);
+  std::set<std::string> others;
+  for (const NamedPin& other : board.pins) {
+    const bool is_shared = other.can("interrupt") && other.pin != pin &&
+                           edge_interrupt(pin_name(other.pin)) == edge_interrupt(pin_name(pin));
+    if (is_shared) others.insert(other.pin);
+  }
+  return static_cast<std::int64_t>(others.size()) * kLook;
 }
 
 /// What a unit of a device asks of its bus.
@@ -290,6 +304,7 @@ void Traffic::add_own_lines(const gen::Device& device, Rank place) {
                                   [&](const Use& one) { return one.spec->role == entry.use; });
     if (use == device.uses.end()) continue;
     InterruptSource source = own_line(device, entry, place);
+    if (source.source == WcetSource::assumed) source.wcet += looks_at_others(*robot_.board, use->pin);
     source.pin = DevicePin{place, use->pin};
     own_lines(device).push_back(std::move(source));
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/input/input.hpp"
 #include "generator/json/parse.hpp"
 #include "generator/timing/object_reader.hpp"
 #include "generator/timing_file/cost_words.hpp"
@@ -140,11 +141,13 @@ bool has_schema(const Value& root) {
 CostModel cost_model() { return {"cortex-m4-maxima", 4}; }
 
 std::string timing_file_path(const std::string& robot) {
+  constexpr const char* kEnding = ".timing.json";
+  if (robot == "-" || is_timing_model(robot)) return {};
   for (const std::string_view ending : {".urdf.xacro", ".xacro", ".urdf"}) {
     if (robot.size() > ending.size() && robot.ends_with(ending))
-      return robot.substr(0, robot.size() - ending.size()) + ".timing.json";
+      return robot.substr(0, robot.size() - ending.size()) + kEnding;
   }
-  return {};
+  return robot + kEnding;
 }
 
 std::optional<TimingFile> read_timing_file(const std::string& path, Sources& sources, Diagnostics& diagnostics) {

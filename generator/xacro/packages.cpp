@@ -38,15 +38,6 @@ std::string name_in(std::string text) {
   return first == std::string::npos ? std::string() : name.substr(first, name.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// What the package in `folder` calls itself; empty when it is none.
-std::string package_name(const fs::path& folder, const files::Access& access) {
-  constexpr std::size_t largest = 1 << 20;
-  auto text = access.read((folder / "package.xml").string(), largest);
-  if (!text) return {};
-  std::string name = name_in(std::move(*text));
-  return name.empty() ? folder.filename().string() : name;
-}
-
 bool is_ignored(const fs::path& folder) {
   std::error_code ignored;
   for (const char* mark : {"CATKIN_IGNORE", "AMENT_IGNORE", "COLCON_IGNORE"}) {
@@ -115,6 +106,14 @@ std::optional<std::string> enclosing_package(const std::string& file, const std:
 }
 
 }  // namespace
+
+std::string package_name(const fs::path& folder, const files::Access& access) {
+  constexpr std::size_t largest = 1 << 20;
+  auto text = access.read((folder / "package.xml").string(), largest);
+  if (!text) return {};
+  std::string name = name_in(std::move(*text));
+  return name.empty() ? folder.filename().string() : name;
+}
 
 PackagePath PackagePath::from_environment() {
   PackagePath path;

@@ -1,6 +1,7 @@
 // Names of ROS packages to their folders, without ROS.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +11,9 @@
 #include "generator/file/access.hpp"
 
 namespace finemote::gen::xacro {
+
+/// What the package in `folder` calls itself; empty when it is none.
+std::string package_name(const std::filesystem::path& folder, const files::Access& access);
 
 /// Where packages are looked for, in this order:
 ///  1. explicit_folders: `--package name=folder`

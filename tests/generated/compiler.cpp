@@ -14,7 +14,6 @@ Compiler with_common_flags(std::string name, std::vector<std::string> command) {
   for (const char* flag : {"-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off"})
     command.emplace_back(flag);
   command.insert(command.end(), {"-I", source_path("runtime/include")});
-  command.insert(command.end(), {"-I", source_path("runtime/boards/host/generated")});  // the names of all ports
   return {std::move(name), std::move(command)};
 }
 

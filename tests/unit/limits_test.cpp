@@ -19,9 +19,15 @@ TEST_CASE("the generator knows what the runtime holds") {
   CHECK(limits::kBuckets == kMaxBuckets);
   CHECK(gen::bus_type(gen::BusKind::can).most_shared_frames == CanBus::kGroups);
   CHECK(gen::bus_type(gen::BusKind::can).most_devices == CanBus::kMaxSlots);
+  CHECK(gen::bus_type(gen::BusKind::rs485).most_devices == Rs485::kMaxSlots);
   CHECK(limits::kShortestPwmPeriod.ns() == kShortestPwmPeriod);
   CHECK(limits::kLongestPwmPeriod.ns() == kLongestPwmPeriod);
   CHECK(gen::bus_type(gen::BusKind::rs485).longest.read == Rs485Slot::kMaxReply);
+}
+
+TEST_CASE("the generator knows the level of the release") {
+  const std::string text = test::read(test::source_dir() + "/runtime/chips/cortex_m4/core.hpp");
+  CHECK(text.find("kReleasePriority = " + std::to_string(limits::kReleaseLevel) + ";") != std::string::npos);
 }
 
 TEST_CASE("the generator knows how often a burst is filled") {

@@ -397,4 +397,4 @@ class AdcPort {
 
 }  // namespace finemote
 
-#include "board/port_names.hpp"  // namespace ports: of the linked board, runtime/boards/<board>/generated
+#include "finemote/port_names.hpp"

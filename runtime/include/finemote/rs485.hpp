@@ -69,7 +69,7 @@ class Rs485 {
   constexpr Rs485(UartPort& port, std::int64_t baud, UartRing ring)
       : port_(&port), ring_(ring), slots_(nullptr), count_(0), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
 
-  static constexpr std::size_t kMaxSlots = 256;  ///< devices: as many as there are identifiers
+  static constexpr std::size_t kMaxSlots = 255;  ///< devices
 
   /// Sets the port up. Context: init.
   void start();
@@ -86,7 +86,7 @@ class Rs485 {
 
  private:
   friend class Rs485Slot;
-  static constexpr std::size_t kWords = kMaxSlots / 32;
+  static constexpr std::size_t kWords = kMaxSlots / 32 + 1;
 
   void carry_on();
   void take_reply();
@@ -97,7 +97,7 @@ class Rs485 {
   UartPort* const port_;
   const UartRing ring_;
   Rs485Slot* const* const slots_;
-  const std::uint16_t count_;
+  const std::uint8_t count_;
   const std::int64_t baud_;
   const Duration byte_time_;
   Shared<bool> busy_{false};

@@ -38,7 +38,7 @@ constexpr std::uint32_t kReleaseLimit = 16 * (cortex_m4::kCoreHz / stm32f4::kApb
 constexpr std::uint32_t kSegment1 = 10, kSegment2 = 3, kQuanta = 1 + kSegment1 + kSegment2;
 
 std::uint32_t bit_timing(std::uint32_t bitrate) {  // BTR, RM0090 32.7.7; each field holds its value less one
-  const std::uint32_t prescaler = stm32f4::kApb1Hz / kQuanta / bitrate;
+  const std::uint32_t prescaler = (stm32f4::kApb1Hz / kQuanta + bitrate / 2) / bitrate;  // the nearest
   return (kSegment2 - 1) << 20 | (kSegment1 - 1) << 16 | (prescaler - 1);
 }
 
