@@ -35,6 +35,7 @@ Acquisition read_acquisition(const Json& value) {
   acquisition.tolerance_ppm = value.value("tolerance_ppm", acquisition.tolerance_ppm);
   acquisition.periods = optional_member<std::int64_t>(value, "periods");
   acquisition.begun_every = optional_member<std::int64_t>(value, "begun_every");
+  acquisition.conversions = value.value("conversions", std::int64_t{1});
   acquisition.published_every = value.value("published_every", std::int64_t{1});
   acquisition.bring_up = duration_member(value, "bring_up_ns").value_or(acquisition.bring_up);
   if (const auto conversion = value.find("conversion"); conversion != value.end())

@@ -39,6 +39,7 @@ struct Acquisition {
   std::optional<std::int64_t> begun_every;  ///< polled: own periods from one begin to the next; none: `periods`
   std::int64_t published_every = 1;         ///< polled: a fresh value at least every so many measurements
   std::optional<Conversion> conversion;     ///< polled
+  std::int64_t conversions = 1;             ///< polled: one after the other, in one measurement
   Duration bring_up = seconds(1);           ///< from the first release to the first sample, at most
 };
 

@@ -58,7 +58,7 @@ class TimingCheck {
     if (acquisition.model == Acquisition::Model::streamed) {
       check_rate(acquisition);
       check_stream();
-      for (const char* member : {"periods", "begun_every", "conversion"}) check_absent(member, "polled");
+      for (const char* member : {"periods", "begun_every", "conversion", "conversions"}) check_absent(member, "polled");
       if (!asks_for_samples(type_)) check_absent("published_every", "polled");
       return;
     }

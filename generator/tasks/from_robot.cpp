@@ -41,6 +41,7 @@ std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device&
   } else {
     result.periods = given.periods.value_or(1);
     result.begun_every = given.begun_every.value_or(result.periods);
+    result.conversions = given.conversions;
     result.conversion = longest_counted(robot, std::max(conversion_time(device), converter));
   }
   return result;

@@ -103,6 +103,7 @@ Json device_json(const Model& model, const Device& d) {
     if (d.acquisition->begun_every != 1) a["begun_every"] = d.acquisition->begun_every;
     if (d.acquisition->every != 1) a["every"] = d.acquisition->every;
     add_if(a, "conversion_ns", d.acquisition->conversion);
+    if (d.acquisition->conversions != 1) a["conversions"] = d.acquisition->conversions;
     if (d.acquisition->assumed) a["assumed"] = true;
   }
   for (const Transfer& t : d.transfers) out["transfers"].push_back(transfer_json(model, t));

@@ -119,9 +119,9 @@ struct Transfer {
 /// How old a sample can be when update() reads it.
 ///
 /// The part sends by itself (periods = 0): fixed + interval + wire of its frame. The device asks for it: fixed +
-/// (periods + extra) T + (every (begun_every + extra) - 1) T + R+, with as many extra periods as the conversion does
-/// not fit into. It asks a part that measures by itself: the same with periods = 1, and the interval; where that part
-/// sends, too, the larger of both.
+/// (periods + extra) T + (every (begun_every + extra) - 1) T + R+, with as many extra periods as each of the
+/// conversions does not fit into. It asks a part that measures by itself: the same with periods = 1, and the interval;
+/// where that part sends, too, the larger of both.
 struct Acquisition {
   Duration fixed;                ///< filter and transport delay
   Duration interval;             ///< an autonomous part's largest distance between samples
@@ -129,6 +129,7 @@ struct Acquisition {
   std::int64_t begun_every = 1;  ///< own periods from the begin of a measurement to that of the next
   std::int64_t every = 1;        ///< one in this many measurements is published at least
   Duration conversion;           ///< longest conversion
+  std::int64_t conversions = 1;  ///< one after the other, in one measurement
   bool assumed = false;          ///< not from a data sheet or a measurement
 };
 

@@ -29,7 +29,7 @@ class ModelReader {
   struct Tables;
   void read_bus(Model& model, const Value& v);
   void read_sources(Bus& bus, const Value& v);
-  void read_source_name(InterruptSource& source, const Value& v);
+  void read_source_name(InterruptSource& source, const Value& v) { source.name = values_.text(v, "a source", "name"); }
   void read_budget(InterruptSource& source, const Value& v);
   void read_devices(Model& model, const Value& v);
   void read_device(Model& model, const Value& v);
@@ -147,6 +147,7 @@ struct ModelReader::Tables {
       {"every", Need::target, &Acquisition::every, 1},
       {"begun_every", Need::target, &Acquisition::begun_every, 1},
       {"conversion_ns", Need::target, &Acquisition::conversion},
+      {"conversions", Need::target, &Acquisition::conversions, 1},
       {"assumed", Need::target, &Acquisition::assumed},
   };
   static constexpr Field<Transfer> kTransfer[] = {
@@ -234,10 +235,6 @@ void ModelReader::read_sources(Bus& bus, const Value& v) {
     InterruptSource& source = bus.sources->emplace_back();
     if (values_.is_object(item, "a source")) values_.read_fields(item, "a source", Tables::kSource, source, *this);
   }
-}
-
-void ModelReader::read_source_name(InterruptSource& source, const Value& v) {
-  source.name = values_.text(v, "a source", "name");
 }
 
 void ModelReader::read_budget(InterruptSource&, const Value& v) {

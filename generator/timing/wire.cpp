@@ -246,7 +246,8 @@ std::optional<Duration> WireAnalysis::asked(Rank from) const {
   }
   const Duration response = profile_.responses.r_plus[from];
   busy = std::max(busy, response) + a.conversion;
-  const std::int64_t extra = std::max<std::int64_t>(ceil_div(busy, device.period) - 1, 0);
+  const std::int64_t extra_of_each = std::max<std::int64_t>(ceil_div(busy, device.period) - 1, 0);
+  const std::int64_t extra = multiply(std::max<std::int64_t>(a.conversions, 1), extra_of_each);
   // Measured in `periods` and published then; read until just before the next one that is published, of which each is
   // begun so many periods after the one before, and `every` of them make one value.
   const std::int64_t least = std::max<std::int64_t>(a.periods, 1);
