@@ -42,7 +42,8 @@ void check_end(const Value& document, std::int64_t duration_ns, gen::Diagnostics
     const Value& time = to == nullptr ? *entry.find("from_ns") : *to;
     const auto at = static_cast<std::int64_t>(number_of(time));
     if (at <= end) continue;
-    warn(time, fmt::format("the run ends after {} ns, before this expectation is judged: it will fail", end),
+    warn(time,
+         fmt::format("the run ends after {} ns at the latest, before this expectation is judged: it will fail", end),
          diagnostics)
         .hint(fmt::format("--duration {}ms", at / 1'000'000 + 1));
   }

@@ -106,6 +106,7 @@ ProcessResult run_process(const std::vector<std::string>& command, std::chrono::
     stop.let_through();
     become(command, environment, pipes[1]);
   }
+  setpgid(child, child);  // whoever of the two comes first: from here on the group can be killed
   close(pipes[1]);
 
   ProcessResult result;

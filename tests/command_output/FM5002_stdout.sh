@@ -13,6 +13,9 @@ for format in text json; do refused finemote check robot.urdf -o out --format $f
 sed 's/10ms/20ms/' robot.urdf >other.urdf
 refused finemote diff robot.urdf other.urdf
 for word in explain 'explain FM3012' 'schema xsd' 'schema json' 'board show' 'board show robomaster_type_c' 'docs -o pages --dry-run' 'xacro plain.xacro'; do refused finemote $word; done
+for word in --help --man; do
+  finemote-emulator $word >/dev/full; echo "emulator $word: exit $?"
+done
 finemote xacro plain.xacro >&-
 echo "exit $?"
 finemote schema xsd >/dev/full

@@ -11,7 +11,7 @@ cat >scenario.json <<'Y'
     { "t_ns": 10000000, "part": "sticks", "do": "silent", "on": false }
   ],
   "expect": [
-    { "from_ns": 900000000, "part": "hand", "value": "yaw", "min": 0, "max": 1 }
+    { "from_ns": 9000000000, "part": "hand", "value": "yaw", "min": 0, "max": 1 }
   ]
 }
 Y

@@ -194,6 +194,9 @@ TEST_CASE("words that are no options, and files that are no images, are errors")
   CHECK(emulator("--image a.elf --duration 2hours").status == 2);
   CHECK(emulator("--image a.elf --flash maybe").status == 2);
   CHECK(emulator("--image a.elf --format xml").status == 2);
+  std::ofstream(kImages + "/deep.json") << R"({"schema": "finemote.scenario/1", "parts": )"
+                                        << std::string(1'000'000, '[') << std::string(1'000'000, ']') << "}";
+  CHECK(emulator("--image " + kImages + "/two_tasks.elf --scenario " + kImages + "/deep.json").status == 2);
   const Ran ran = emulator("--image nowhere.elf");
   CHECK(ran.status == 2);
   CHECK(ran.says("cannot read 'nowhere.elf'"));

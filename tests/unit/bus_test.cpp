@@ -96,6 +96,9 @@ TEST_CASE("a port makes the rate that its rule puts nearest to the one asked for
   CHECK(rate_rule("by magic") == nullptr);
   CHECK(rate_rule("stm32_i2c")->slowest(42'000'000, 400'000) == 357'142);  // 105 clocks and 300 ns of rise
   CHECK(rate_rule("stm32_i2c")->slowest(42'000'000, 100'000) == 79'846);   // lowered to 87 kHz: 484 clocks and 1000 ns
+  CHECK(rate_rule("stm32_spi")->slowest(84'000'000, 334'500) == 328'125);
+  CHECK(rate_rule("stm32_spi")->slowest(84'000'000, 328'000) == 328'000);  // it is faster, which is no bound
+  CHECK(rate_rule("stm32_can")->slowest(42'000'000, 1'010'000) == 1'000'000);
 }
 
 TEST_CASE("the schema of board files names the rules there are") {

@@ -366,3 +366,17 @@ TEST_CASE("a suggested order keeps what is read before its readers") {
   CHECK(suggest_order(late, Profile::tight)[Rank{0}] ==
         Rank{2});  // and it moves a remote that stands behind its reader
 }
+
+TEST_CASE("every conversion of a measurement takes the periods that it does not fit into") {
+  const auto acquire = [](const std::string& conversions) {
+    return chain_of(R"({"tick_ns":1000,"buses":[],"devices":[{"name":"depth","period_ns":1000,"update_wcet_ns":10,
+        "handle_wcet_ns":10,"acquisition":{"periods":4,"begun_every":4,"conversion_ns":2500)" +
+                        conversions + "}}]}",
+                    Rank{0})
+        .acquire.value();
+  };
+  // Two periods more, both until it is published and until the next one is; so for each conversion.
+  CHECK(acquire("") == 7000_ns + 4000_ns + 10_ns);
+  CHECK(acquire(R"(,"conversions":2)") == acquire("") + 2 * 2000_ns);
+  CHECK(acquire(R"(,"conversions":1)") == acquire(""));
+}

@@ -1,0 +1,64 @@
+// Other programs: what they say, when they take too long, and what becomes of them when this one is told to stop.
+#include "generator/run/process.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "catch.hpp"
+
+using namespace finemote::gen;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// The process that a shell wrote its number of into this file; 0: not yet.
+pid_t process_in(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  pid_t process = 0;
+  in >> process;
+  return in ? process : 0;
+}
+
+template <class Condition>
+bool comes_true(Condition condition) {
+  for (int i = 0; i < 1000 && !condition(); ++i) std::this_thread::sleep_for(10ms);
+  return condition();
+}
+
+}  // namespace
+
+TEST_CASE("what a program says, and how it ends") {
+  const ProcessResult result = run_process({"sh", "-c", "echo one; echo two >&2; exit 3"}, 60s);
+  CHECK(result.started);
+  CHECK(result.exit_status == 3);
+  CHECK(result.output == "one\ntwo\n");
+  CHECK_FALSE(run_process({"no-such-program"}, 60s).started);
+  CHECK(run_process({"sleep", "1000"}, 0s).timed_out);
+}
+
+TEST_CASE("who is told to stop while a program runs ends that one first") {
+  const auto file = std::filesystem::temp_directory_path() / ("finemote-process-test-" + std::to_string(getpid()));
+  const int signal = GENERATE(SIGTERM, SIGINT, SIGHUP);
+  std::filesystem::remove(file);
+  const pid_t child = fork();
+  if (child == 0) {
+    try {
+      run_process({"sh", "-c", "echo $$ >" + file.string() + "; exec sleep 1000"}, 900s);
+    } catch (const StopRequested& stop) {
+      _exit(stop.signal);
+    }
+    _exit(0);
+  }
+  REQUIRE(comes_true([&] { return process_in(file) != 0; }));
+  kill(child, signal);
+  int status = 0;
+  waitpid(child, &status, 0);
+  CHECK(WEXITSTATUS(status) == signal);
+  CHECK(kill(process_in(file), 0) != 0);
+  std::filesystem::remove(file);
+}
