@@ -9,7 +9,7 @@
 
 namespace finemote::emulator {
 
-/// The options of a watch, or nothing where the words are none.
+/// The options of a watch; nothing where no image is named. @throws std::invalid_argument where a word is none of them
 std::optional<WatchOptions> watch_options(const std::vector<std::string>& words);
 
 std::string usage();

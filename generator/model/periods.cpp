@@ -47,8 +47,8 @@ class PeriodReader {
     const auto [below, above] = ticks_beside(period);
     at_value(diagnostics_, code::period_tick, attribute,
              fmt::format("the period of {} is not a multiple of the tick of {}", owner_, units::format_duration(tick)))
-        .hint(below.empty() ? fmt::format("write period=\"{}\"", above)
-                            : fmt::format("write period=\"{}\" or period=\"{}\"", below, above));
+        .hint(below.empty() || above.empty() ? fmt::format("write period=\"{}\"", below + above)
+                                             : fmt::format("write period=\"{}\" or period=\"{}\"", below, above));
   }
   /// The multiples of the tick below and above a period; empty when there is none.
   [[nodiscard]] std::pair<std::string, std::string> ticks_beside(Duration period) const {
