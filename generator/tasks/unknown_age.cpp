@@ -1,6 +1,7 @@
 #include "generator/tasks/unknown_age.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/model/connection.hpp"
@@ -43,18 +44,17 @@ bool has_no_acquisition(const Robot& robot, const gen::Device& device) {
   return !type.acquisition && (!type.provides.empty() || type.actuator) && is_late;
 }
 
+/// A conversion that is under way when another input of the same converter is to be measured keeps that one waiting.
 bool shares_converter(const Robot& robot, const gen::Device& device) {
-  const auto measures_there = [&](const gen::Device& other, const std::string& converter) {
-    return std::any_of(other.uses.begin(), other.uses.end(), [&](const Use& use) {
-      const NamedPin* pin = measured_pin(use);
-      return pin != nullptr && pin->converter == converter;
-    });
-  };
+  std::map<std::string, int> inputs;  // by converter
+  for (const gen::Device& other : robot.devices) {
+    for (const Use& use : other.uses) {
+      if (const NamedPin* pin = measured_pin(use)) ++inputs[pin->converter];
+    }
+  }
   return std::any_of(device.uses.begin(), device.uses.end(), [&](const Use& use) {
     const NamedPin* pin = measured_pin(use);
-    return pin != nullptr && std::any_of(robot.devices.begin(), robot.devices.end(), [&](const gen::Device& other) {
-             return &other != &device && measures_there(other, pin->converter);
-           });
+    return pin != nullptr && inputs[pin->converter] > 1;
   });
 }
 

@@ -171,6 +171,11 @@ TEST_CASE("what a converter measured is as old as nobody knows where no type say
   const auto model = make_timing_model(*robot.robot, robot.forest, robot.schedule, findings);
   REQUIRE(model);
   CHECK(model->devices[robot["own"]].unknown_age == UnknownAge::shared_converter);
+  named("load").uses.clear();
+  named("own").uses.push_back(named("own").uses.front());  // two inputs of one device keep each other waiting, too
+  const auto alone = make_timing_model(*robot.robot, robot.forest, robot.schedule, findings);
+  REQUIRE(alone);
+  CHECK(alone->devices[robot["own"]].unknown_age == UnknownAge::shared_converter);
 }
 
 TEST_CASE("the last edge of a pin is as old as nobody knows where no type says it") {
