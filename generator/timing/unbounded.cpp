@@ -64,7 +64,7 @@ std::string unknown_age_text(const Device& device) {
         "comes",
         device.name);
   if (device.unknown_age == UnknownAge::shared_converter)
-    return fmt::format("another device measures with the converter of '{}', which drops what nobody has taken yet",
+    return fmt::format("the converter of '{}' measures another input, too, and drops what nobody has taken yet",
                        device.name);
   return fmt::format(
       "a measurement of '{}' may find its slot taken by another transfer of its own: its type does not say how many in "
