@@ -90,7 +90,7 @@ enum class UnknownAge {
   no_acquisition,    ///< nothing says so
   sent_by_itself,    ///< its part sends some by itself, and its type says that it is asked
   busy_slot,         ///< a measurement may find its slot taken by another transfer of the device
-  shared_converter,  ///< another device measures with the same converter, which drops what nobody has taken
+  shared_converter,  ///< another input is measured with the same converter, which drops what nobody has taken
 };
 
 /// Use of a bus once per period of the device (or, sent by the part itself, once per interval). Everything that waits
