@@ -254,7 +254,7 @@ TEST_CASE("a converter that falls silent makes lamps blink or dark in bounded ti
     turns += bench.share("led_red") != last ? 1 : 0;
     last = bench.share("led_red");
   }
-  CHECK(turns >= 18);
+  CHECK(turns >= 16);  // every 50 ms, or with the next job where one comes a little too soon: every 60
   CHECK(turns <= 20);
 }
 
