@@ -87,13 +87,13 @@ constexpr Row kRows[] = {
 
 std::optional<WatchOptions> watch_options(const std::vector<std::string>& words) {
   WatchOptions options;
-  for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
+  for (std::size_t i = 0; i < words.size(); i += 2) {
     const auto row = std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& r) { return r.key == words[i]; });
     if (row == std::end(kRows)) throw std::invalid_argument(fmt::format("there is no option '{}'", words[i]));
+    if (i + 1 == words.size()) throw std::invalid_argument(fmt::format("{} takes {}", row->key, row->value));
     if (!row->read(words[i + 1], options))
       throw std::invalid_argument(fmt::format("{} takes {}, not '{}'", row->key, row->value, words[i + 1]));
   }
-  if (words.size() % 2 != 0) throw std::invalid_argument(fmt::format("nothing stands behind '{}'", words.back()));
   if (options.image.empty()) return std::nullopt;
   return options;
 }

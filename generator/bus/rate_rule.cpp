@@ -7,9 +7,9 @@ namespace finemote::gen {
 namespace {
 
 /// What the chip makes of it, where that is slower.
-template <double (*nearest)(double, double)>
+template <double (*rate)(double, double)>
 std::int64_t slowest_of(std::int64_t clock_hz, std::int64_t wanted) {
-  const double made = nearest(static_cast<double>(clock_hz), static_cast<double>(wanted));
+  const double made = rate(static_cast<double>(clock_hz), static_cast<double>(wanted));
   return std::min(wanted, static_cast<std::int64_t>(made));
 }
 
@@ -47,6 +47,13 @@ double nearest_can_rate(double clock_hz, double wanted) {
   return clock_hz / (kQuanta * std::max(1.0, std::round(clock_hz / (kQuanta * wanted))));
 }
 
+/// As runtime/chips/stm32f4/ports/spi.cpp sets BR: the fastest that is not above it.
+double made_spi_rate(double clock_hz, double wanted) {
+  double made = clock_hz / 2;
+  for (double divider = 4; divider <= 256 && made > wanted; divider *= 2) made = clock_hz / divider;
+  return made;
+}
+
 std::vector<std::int64_t> all_spi_rates(std::int64_t clock_hz) {
   std::vector<std::int64_t> rates;
   for (int power = 1; power <= 8; ++power) rates.push_back(clock_hz >> power);
@@ -69,7 +76,8 @@ constinit const RateRule kStm32I2c{
 constinit const RateRule kStm32Spi{.name = "stm32_spi",
                                    .kinds = kSpi,
                                    .nearest = nearest_spi_rate,
-                                   .slowest = slowest_of<nearest_spi_rate>,
+                                   .made = made_spi_rate,
+                                   .slowest = slowest_of<made_spi_rate>,
                                    .all = all_spi_rates};
 constinit const RateRule kStm32Can{
     .name = "stm32_can", .kinds = kCan, .nearest = nearest_can_rate, .slowest = slowest_of<nearest_can_rate>};

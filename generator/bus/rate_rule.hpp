@@ -19,7 +19,10 @@ struct RateRule {
   /// Of the rates that can be made, the one nearest to `wanted` [Hz or bit/s]; both arguments are above 0.
   double (*nearest)(double clock_hz, double wanted) = nullptr;
 
-  /// What the runtime's driver makes of the rate `wanted`, at its slowest; null: just that rate, within what the board
+  /// What the runtime's driver makes of `wanted`, where that need not be the nearest; null: it is.
+  double (*made)(double clock_hz, double wanted) = nullptr;
+
+  /// The same at its slowest; null: just that rate, within what the board
   /// file allows.
   std::int64_t (*slowest)(std::int64_t clock_hz, std::int64_t wanted) = nullptr;
 

@@ -29,13 +29,15 @@ std::int64_t clock_of(const Port& port) {
   return (port.timer ? 2 : 1) * (is_on_apb2 ? kApb2Hz : kApb1Hz);
 }
 
-/// The "pll" that makes the core's clock of a crystal; empty: there is none.
-std::string pll_for(std::int64_t crystal_hz) {
-  constexpr int kP = 2, kQ = 7;
+/// The "pll" that makes this clock of a crystal; empty: there is none.
+std::string pll_for(std::int64_t crystal_hz, std::int64_t core_hz) {
+  constexpr std::int64_t kP = 2;
+  const std::int64_t q = ceil_div(kP * core_hz, kFastestUsbHz);
   for (const std::int64_t input : kInputsHz) {
-    if (crystal_hz % input != 0 || crystal_hz / input < 2 || crystal_hz / input > 63) continue;
+    const bool is_whole = crystal_hz % input == 0 && kP * core_hz % input == 0;
+    if (!is_whole || crystal_hz / input < 2 || crystal_hz / input > 63 || kP * core_hz / input > 432) continue;
     return fmt::format("\"pll\": {{ \"m\": {}, \"n\": {}, \"p\": {}, \"q\": {} }}", crystal_hz / input,
-                       kP * kCoreHz / input, kP, kQ);
+                       kP * core_hz / input, kP, q);
   }
   return {};
 }
@@ -50,6 +52,7 @@ class ClockCheck {
   }
 
  private:
+  [[nodiscard]] std::int64_t wanted_hz() const { return board_.is_emulated ? kCoreHz : board_.cpu_hz; }
   [[nodiscard]] std::int64_t vco_hz() const { return std::int64_t{clocks_.crystal_hz} * clocks_.pll_n / clocks_.pll_m; }
 
   bool makes_the_core() {
@@ -60,9 +63,10 @@ class ClockCheck {
         found_.add(found_.nearest({"cpu", "clock_hz"}, {"clocks"}),
                    fmt::format("the core is to run at {} Hz, but {} Hz of the crystal x n / m / p is {} Hz",
                                board_.cpu_hz, clocks_.crystal_hz, product / divider));
-    if (product == kCoreHz * divider)
-      finding.hint(fmt::format("this crystal and \"pll\" make \"clock_hz\": {}", kCoreHz));
-    else if (const std::string pll = pll_for(clocks_.crystal_hz); !pll.empty())
+    const bool is_whole = product % divider == 0;
+    if (is_whole && (!board_.is_emulated || product == kCoreHz * divider))
+      finding.hint(fmt::format("this crystal and \"pll\" make \"clock_hz\": {}", product / divider));
+    else if (const std::string pll = pll_for(clocks_.crystal_hz, wanted_hz()); !pll.empty())
       finding.hint(fmt::format("with this crystal: {}", pll));
     return false;
   }
@@ -82,7 +86,7 @@ class ClockCheck {
 
   bool refuse(const char* divider, const std::string& why) {
     Diagnostic& finding = found_.add({"clocks", "pll", divider}, why);
-    if (const std::string pll = pll_for(clocks_.crystal_hz); !pll.empty())
+    if (const std::string pll = pll_for(clocks_.crystal_hz, wanted_hz()); !pll.empty())
       finding.hint(fmt::format("with this crystal: {}", pll));
     return false;
   }

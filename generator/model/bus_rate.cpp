@@ -31,13 +31,17 @@ void check_rate(Reading& reading, const xml::Attribute& attribute, const Port& p
     return;
   }
   const auto wanted = static_cast<double>(bus.rate);
-  const double made = nearest_rate(port, bus.kind, wanted);
+  const double made = nearest_rate(port, bus.kind, wanted), of_driver = made_rate(port, bus.kind, wanted);
   const double error = rate_error(port, bus.kind, wanted);
   if (error * 1e6 <= static_cast<double>(port.max_rate_error_ppm)) return;
   const std::string nearest = rate_text(bus.kind, std::llround(made));
   auto& finding = report();
-  finding.note(fmt::format("the nearest rate is {}, {:.1f} % away; {:.1f} % is the limit", nearest, error * 100,
-                           static_cast<double>(port.max_rate_error_ppm) / 1e4));
+  if (of_driver != made)
+    finding.note(fmt::format("its driver makes {} of it, the fastest that is not above it; the nearest is {}",
+                             rate_text(bus.kind, std::llround(of_driver)), nearest));
+  else
+    finding.note(fmt::format("the nearest rate is {}, {:.1f} % away; {:.1f} % is the limit", nearest, error * 100,
+                             static_cast<double>(port.max_rate_error_ppm) / 1e4));
   if (made > static_cast<double>(parts)) {
     const std::string clock = fastest_clock(&port, bus.kind, parts);
     finding.hint(clock.empty()

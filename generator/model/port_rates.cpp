@@ -27,6 +27,12 @@ double nearest_rate(const Port& port, BusKind kind, double wanted) {
   return rule == nullptr || !port.clock_hz ? wanted : rule->nearest(static_cast<double>(*port.clock_hz), wanted);
 }
 
+double made_rate(const Port& port, BusKind kind, double wanted) {
+  const RateRule* rule = rule_of(port, kind);
+  const bool is_nearest = !port.rates.empty() || rule == nullptr || rule->made == nullptr || !port.clock_hz;
+  return is_nearest ? nearest_rate(port, kind, wanted) : rule->made(static_cast<double>(*port.clock_hz), wanted);
+}
+
 std::int64_t slowest_rate(const Port& port, BusKind kind, std::int64_t wanted) {
   const RateRule* rule = rule_of(port, kind);
   if (rule == nullptr || rule->slowest == nullptr || !port.clock_hz || wanted <= 0) return wanted;
@@ -34,7 +40,7 @@ std::int64_t slowest_rate(const Port& port, BusKind kind, std::int64_t wanted) {
 }
 
 double rate_error(const Port& port, BusKind kind, double wanted) {
-  return std::abs(nearest_rate(port, kind, wanted) - wanted) / wanted;
+  return std::abs(made_rate(port, kind, wanted) - wanted) / wanted;
 }
 
 bool is_made(const Port& port, BusKind kind, std::int64_t rate) {

@@ -15,6 +15,10 @@ bool has_few_rates(const Port& port, BusKind kind);
 /// The rate nearest to the one asked for that the port can make; `wanted` is above 0 [Hz or bit/s].
 double nearest_rate(const Port& port, BusKind kind, double wanted);
 
+/// What the driver of the port makes of a rate, which need not be the nearest: an SPI clock is never faster than asked
+/// for.
+double made_rate(const Port& port, BusKind kind, double wanted);
+
 /// What the port makes of a rate at its slowest, for times on the wire.
 std::int64_t slowest_rate(const Port& port, BusKind kind, std::int64_t wanted);
 

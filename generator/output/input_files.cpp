@@ -34,7 +34,9 @@ std::string manifest_name(const fs::path& path, const fs::path& input_folder, co
   if (!near.empty()) return near;
   const fs::path package = package_of(file.parent_path());
   if (package.empty()) return file.lexically_relative(fs::weakly_canonical(input_folder)).generic_string();
-  return "package://" + xacro::package_name(package, access) + "/" + file.lexically_relative(package).generic_string();
+  const std::string name = xacro::package_name(package, access);
+  return "package://" + (name.empty() ? package.filename().string() : name) + "/" +
+         file.lexically_relative(package).generic_string();
 }
 
 }  // namespace

@@ -29,9 +29,14 @@ class StopRequests {
   StopRequests() {
     sigset_t asked;
     sigemptyset(&asked);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&asked, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction action {};
+      sigaction(signal, nullptr, &action);
+      if (action.sa_handler != SIG_IGN) sigaddset(&asked, signal);  // blocked, it would come in spite of that
+    }
     sigprocmask(SIG_BLOCK, &asked, &before_);
     file_ = signalfd(-1, &asked, SFD_CLOEXEC);
+    if (file_ < 0) let_through();
   }
   ~StopRequests() {
     close(file_);

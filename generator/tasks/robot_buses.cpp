@@ -144,8 +144,8 @@ std::int64_t line_rate(const Robot& robot, const gen::Bus& bus) {
 /// The rate that is asked for, or what the port makes of it where that is faster.
 std::int64_t fastest_line_rate(const Robot& robot, const gen::Bus& bus) {
   const Port* port = port_of(robot, bus);
-  if (port == nullptr || bus_type(bus.kind).port_class != PortClass::uart) return bus.rate;
-  const double made = std::ceil(nearest_rate(*port, bus.kind, static_cast<double>(bus.rate)));
+  if (port == nullptr || bus.rate <= 0) return bus.rate;
+  const double made = std::ceil(made_rate(*port, bus.kind, static_cast<double>(bus.rate)));
   return std::max(bus.rate, static_cast<std::int64_t>(made));
 }
 

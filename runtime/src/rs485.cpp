@@ -85,6 +85,10 @@ void Rs485::pick() {
     ++counters_.recoveries;
     port_->restart_receive();
   }
+  if (detail::has_stopped()) {
+    only_after_fault();
+    look_at_slots();
+  }
   for (std::uint32_t word = 0; word < kWords && word * 32 < count_; ++word) {
     const std::uint32_t waiting = waiting_[word].load();
     if (waiting == 0) continue;
@@ -92,6 +96,13 @@ void Rs485::pick() {
     waiting_[word].clear_bits(bit_of(place));
     if (place < count_) ask(*slots_[place]);
     return;
+  }
+}
+
+/// A stop may have cut off whoever had queued a question and not said so, or had taken it and not asked.
+void Rs485::look_at_slots() {
+  for (std::uint32_t place = 0; place < count_; ++place) {
+    if (slots_[place]->state_.load() == SlotState::kQueued) waiting_[place / 32 % kWords].set_bits(bit_of(place));
   }
 }
 

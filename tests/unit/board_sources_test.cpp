@@ -7,6 +7,7 @@
 #include "generator/board_sources/chip_needs.hpp"
 #include "generator/descriptor/library.hpp"
 #include "source_dir.hpp"
+#include "tests/read.hpp"
 
 using namespace finemote::gen;
 
@@ -74,6 +75,17 @@ TEST_CASE("a board that stands in for others has the ports of all, and none of t
   CHECK(names.find("extern I2cPort i2c2, i2c3, i2c1;") != std::string::npos);
   port_of(other, "i2c1").name = "usart6";
   CHECK(mistakes_for_sources(host, {&first, &other}).size() == 1);
+}
+
+TEST_CASE("without a board's headers there are the ports of all shipped boards") {
+  const auto declared = [](const std::string& header) {
+    const std::string text = finemote::test::read(finemote::test::source_dir() + header);
+    const std::size_t begin = text.find("namespace finemote::ports {"), end = text.find("}  // namespace", begin);
+    REQUIRE(end != std::string::npos);
+    return text.substr(begin, end - begin);
+  };
+  CHECK(declared("/runtime/include/finemote/port_names.hpp") ==
+        declared("/runtime/boards/host/generated/board/port_names.hpp"));
 }
 
 TEST_CASE("what a board file lacks for the drivers of its chip is named") {

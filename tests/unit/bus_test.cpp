@@ -97,7 +97,8 @@ TEST_CASE("a port makes the rate that its rule puts nearest to the one asked for
   CHECK(rate_rule("stm32_i2c")->slowest(42'000'000, 400'000) == 357'142);  // 105 clocks and 300 ns of rise
   CHECK(rate_rule("stm32_i2c")->slowest(42'000'000, 100'000) == 79'846);   // lowered to 87 kHz: 484 clocks and 1000 ns
   CHECK(rate_rule("stm32_spi")->slowest(84'000'000, 334'500) == 328'125);
-  CHECK(rate_rule("stm32_spi")->slowest(84'000'000, 328'000) == 328'000);  // it is faster, which is no bound
+  CHECK(rate_rule("stm32_spi")->slowest(84'000'000, 5'200'000) == 2'625'000);  // never faster than asked for
+  CHECK(rate_rule("stm32_spi")->slowest(84'000'000, 100'000) == 100'000);      // the slowest there is, 328 kHz
   CHECK(rate_rule("stm32_can")->slowest(42'000'000, 1'010'000) == 1'000'000);
 }
 

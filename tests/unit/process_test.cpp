@@ -54,6 +54,7 @@ TEST_CASE("who is told to stop while a program runs ends that one first") {
   std::filesystem::remove(file);
   const pid_t child = fork();
   if (child == 0) {
+    if (signal != SIGKILL) std::signal(signal, SIG_DFL);
     try {
       run_process({"sh", "-c", "echo $$ >" + file.string() + "; exec sleep 1000"}, 900s);
     } catch (const StopRequested& stop) {
@@ -65,7 +66,15 @@ TEST_CASE("who is told to stop while a program runs ends that one first") {
   kill(child, signal);
   int status = 0;
   waitpid(child, &status, 0);
+  CHECK(WIFSIGNALED(status) == (signal == SIGKILL));  // told so, it ends by itself
   CHECK((WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status)) == signal);
   CHECK(comes_true([&] { return has_ended(process_in(file)); }));
   std::filesystem::remove(file);
+}
+
+TEST_CASE("a signal that is ignored stops nothing") {
+  const auto before = std::signal(SIGHUP, SIG_IGN);
+  const ProcessResult result = run_process({"sh", "-c", "kill -HUP " + std::to_string(getpid()) + "; echo done"}, 60s);
+  std::signal(SIGHUP, before);
+  CHECK(result.output == "done\n");
 }

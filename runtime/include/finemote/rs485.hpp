@@ -91,6 +91,7 @@ class Rs485 {
   void carry_on();
   void take_reply();
   void pick();
+  void look_at_slots();
   void ask(Rs485Slot& slot);
   void finish(SlotState result);
 
