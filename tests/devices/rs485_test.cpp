@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "finemote/bench/bench.hpp"
+#include "runtime/src/start.hpp"
 
 namespace {
 
@@ -51,4 +52,19 @@ TEST_CASE_METHOD(Fixture, "no reply in time fails; three in a row are unreachabl
   host::advance(5 * kMillisecond);
   CHECK(two.state() == SlotState::kDone);
   CHECK(bus.counters().errors == 3);
+}
+
+TEST_CASE_METHOD(Fixture, "behind a stop each question that waits goes out once, and the line goes on") {
+  one.start(question, 2, 2);
+  two.start(question, 4, 3);
+  detail::set_stopped(true);
+  for (int ms = 0; ms < 20; ++ms) {
+    bus.supervise();
+    host::advance(kMillisecond);
+  }
+  CHECK(one.state() == SlotState::kNack);
+  CHECK(two.state() == SlotState::kNack);
+  CHECK(host::usart1.sent.size() == 2);
+  CHECK(one.start(question, 3, 1));
+  CHECK(host::usart1.sent.size() == 3);
 }
