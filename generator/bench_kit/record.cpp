@@ -48,16 +48,14 @@ bool names_one_twice(const BenchRecord& record) {
 /// a record nested deeper than any file of ours.
 std::optional<Json> parse_once_named(const std::string& text) {
   std::vector<std::set<std::string>> members;
-  bool is_twice = false, is_deep = false;
-  const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
+  bool is_twice = false;
+  const auto watch = [&](Json::parse_event_t event, const Json& parsed) {
     if (event == Json::parse_event_t::object_start) members.emplace_back();
     if (event == Json::parse_event_t::object_end) members.pop_back();
     if (event == Json::parse_event_t::key && !members.back().insert(parsed.get<std::string>()).second) is_twice = true;
-    is_deep = is_deep || depth > json::kMaxDepth;
-    return !is_deep;
   };
-  Json parsed = Json::parse(text, watch, false);
-  return is_twice || is_deep || parsed.is_discarded() ? std::nullopt : std::optional(std::move(parsed));
+  Json parsed = json::parse_shallow<Json>(text, watch);
+  return is_twice || parsed.is_discarded() ? std::nullopt : std::optional(std::move(parsed));
 }
 
 std::optional<BenchRecord> record_of(const Json& document) {
