@@ -44,7 +44,7 @@ void set_route(const Plan& plan, const Segment& segment, Data& data) {
   data.set("mux_control", fmt::format("{:#04x}", mux.type->select->control(segment.channel)));
 }
 
-Data slot_fields(const Plan& plan, const Scope& scope, const Slot& slot) {
+Data slot_fields(const Plan& plan, const timing::RobotBounds& bounds, const Scope& scope, const Slot& slot) {
   const Segment& segment = plan.robot.segments[slot.segment];
   const SlotClass& type = slot_class(plan, slot);
   const bool has_mode = type.takes_mode && slot.spi_mode != kUsualSpiMode;
@@ -56,17 +56,17 @@ Data slot_fields(const Plan& plan, const Scope& scope, const Slot& slot) {
   data.set("takes_route", type.takes_route);
   set_route(plan, segment, data);
   data.set("takes_identifiers", type.takes_identifiers);
-  if (type.takes_identifiers) set_can(plan, slot, data);
+  if (type.takes_identifiers) set_can(plan, bounds, slot, data);
   data.set("priority", std::to_string(slot.priority));
   data.set("has_mode", has_mode);
   data.set("mode", std::to_string(slot.spi_mode));
   return data;
 }
 
-Data slot_list(const Plan& plan) {
+Data slot_list(const Plan& plan, const timing::RobotBounds& bounds) {
   const Scope scope = Scope::in_slots(plan);
   Data list(Data::type::list);
-  for (const Slot& slot : plan.schedule.slots) list.push_back(slot_fields(plan, scope, slot));
+  for (const Slot& slot : plan.schedule.slots) list.push_back(slot_fields(plan, bounds, scope, slot));
   return list;
 }
 
@@ -169,18 +169,18 @@ Data expander_list(const Plan& plan) {
   return list;
 }
 
-void set_buses(const Plan& plan, Data& data) {
+void set_buses(const Plan& plan, const timing::RobotBounds& bounds, Data& data) {
   const auto& buses = plan.robot.buses;
   data.set("has_rings", std::any_of(buses.begin(), buses.end(), [](const Bus& bus) { return has_ring(bus); }));
   data.set("buses", bus_list(plan));
   data.set("expanders", expander_list(plan));
   data.set("has_slots", !plan.schedule.slots.empty());
-  data.set("slots", slot_list(plan));
+  data.set("slots", slot_list(plan, bounds));
 }
 
 }  // namespace
 
-Data bus_header(const Plan& plan) {
+Data bus_header(const Plan& plan, const timing::RobotBounds& bounds) {
   Data data = common_data(plan);
   data.set("format", std::to_string(kOutputFormat));
   std::vector<std::string> includes{"<finemote/generated_format.hpp>"};
@@ -192,13 +192,13 @@ Data bus_header(const Plan& plan) {
     for (std::string& include : expander_includes(*expander.type)) includes.push_back(std::move(include));
   }
   data.set("includes", include_list(std::move(includes)));
-  set_buses(plan, data);
+  set_buses(plan, bounds, data);
   return data;
 }
 
-Data bus_source(const Plan& plan) {
+Data bus_source(const Plan& plan, const timing::RobotBounds& bounds) {
   Data data = common_data(plan);
-  set_buses(plan, data);
+  set_buses(plan, bounds, data);
   data.set("routes", route_list(plan));
   data.set("drivers", driver_pins(plan));
   data.set("pins", pin_list(plan));

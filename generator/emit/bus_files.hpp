@@ -2,10 +2,11 @@
 #pragma once
 
 #include "generator/emit/names.hpp"
+#include "generator/tasks/bounds.hpp"
 
 namespace finemote::gen {
 
-Data bus_header(const Plan& plan);
-Data bus_source(const Plan& plan);
+Data bus_header(const Plan& plan, const timing::RobotBounds& bounds);
+Data bus_source(const Plan& plan, const timing::RobotBounds& bounds);
 
 }  // namespace finemote::gen

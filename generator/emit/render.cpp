@@ -57,8 +57,8 @@ std::vector<TemplateData> plan_files(const Plan& plan, const ProvenBounds& bound
   };
   add("schedule.hpp", "schedule.hpp.mustache", schedule_header(plan, bounds));
   add("schedule.cpp", "schedule.cpp.mustache", schedule_source(plan, bounds));
-  add("buses.hpp", "buses.hpp.mustache", bus_header(plan));
-  add("buses.cpp", "buses.cpp.mustache", bus_source(plan));
+  add("buses.hpp", "buses.hpp.mustache", bus_header(plan, bounds.plain));
+  add("buses.cpp", "buses.cpp.mustache", bus_source(plan, bounds.plain));
   add("constants.hpp", "constants.hpp.mustache", constants_data(plan, constants));
   for (const Tree& tree : plan.forest.trees) {
     add("trees/" + tree.space + ".hpp", "tree.hpp.mustache", tree_header(plan, tree, constants, bounds));

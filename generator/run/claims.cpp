@@ -1,21 +1,14 @@
 #include "generator/run/claims.hpp"
 
-#include "generator/bus/bus_type.hpp"
 #include "generator/run/samples.hpp"
 
 namespace finemote::gen {
 namespace {
 
-/// What its data may be old when its update() begins; none where a time stamp says more.
-std::optional<Duration> oldest_claim(const Robot& robot, const Forest& forest, const timing::Timing& timing,
-                                     DeviceId device) {
-  const Device& one = robot.devices[device];
-  const bool is_arbitrated = one.segment && bus_type(robot.segments[*one.segment].bus_kind).is_arbitrated;
-  if (is_arbitrated) return std::nullopt;
-  for (const auto* chains : {&timing.chains, &timing.others}) {
-    for (const timing::ChainResult& chain : *chains) {
-      if (forest.order[chain.from] == device) return chain.acquire;
-    }
+/// What its data may be old by their time stamp when its update() begins.
+std::optional<Duration> oldest_claim(const Forest& forest, const timing::Timing& timing, DeviceId device) {
+  for (const Rank d : timing.stamped_ages.ids()) {
+    if (forest.order[d] == device) return timing.stamped_ages[d];
   }
   return std::nullopt;
 }
@@ -36,7 +29,7 @@ std::vector<MeasuredClaim> measure_claims(const Robot& robot, const Forest& fore
         ages.push_back(record.true_time(update->begin - picoseconds_up(*state.claimed_ps)));
     }
     claims.push_back(
-        {device, {summarize(leads), kClaimSlack}, {summarize(ages), oldest_claim(robot, forest, timing, device)}});
+        {device, {summarize(leads), kClaimSlack}, {summarize(ages), oldest_claim(forest, timing, device)}});
   }
   return claims;
 }

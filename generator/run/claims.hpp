@@ -16,15 +16,13 @@ inline constexpr Duration kClaimSlack = microseconds(1);
 struct MeasuredClaim {
   DeviceId device;
   Measured lead;  ///< claimed origin less the time when the oldest sample in the state was taken; bound: kClaimSlack
-  Measured
-      age;  ///< of data that are said to be valid, by their claim, at the begin of update(); bound: that of acquire
+  Measured age;   ///< of data that are said to be valid, by their claim, at the begin of update()
 };
 
 inline constexpr std::array<Figure<MeasuredClaim>, 2> kClaimFigures{
     {{"lead", &MeasuredClaim::lead}, {"age", &MeasuredClaim::age}}};
 
 /// Of devices with a sensor of their own, at the end of every update after the bring-up that left a valid state.
-/// Where frames arbitrate a time stamp is as old as the worst order of frames makes it, and no age has a bound.
 std::vector<MeasuredClaim> measure_claims(const Robot& robot, const Forest& forest, const timing::Timing& timing,
                                           const RunRecord& record, const StageRuns& runs);
 

@@ -12,6 +12,7 @@ struct DeviceBounds {
   std::optional<Duration> age;       ///< oldest sample behind that command, at the end of handle()
   std::optional<Duration> output;    ///< the same sample, at the last bit of the output
   std::optional<DeviceId> oldest;    ///< whose sample
+  std::optional<Duration> wait;      ///< of frames that arrive from its part, see timing/frame_waits.hpp
 };
 
 struct RobotBounds {
@@ -24,7 +25,8 @@ struct RobotBounds {
 /// no bound.
 RobotBounds robot_bounds(const std::optional<Timing>& timing, const Forest& forest, const Schedule& schedule);
 
-/// The same of the firmware with monitor and trace built in, which is analysed for it.
+/// The same of the firmware with monitor and trace built in, which is analysed for it; ages by their time stamps, which
+/// is what the monitor knows.
 RobotBounds instrumented_bounds(const Robot& robot, const Forest& forest, const Schedule& schedule);
 
 }  // namespace finemote::gen::timing

@@ -83,6 +83,8 @@ Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimin
   result.stage = costs.stage;
   result.masked = costs.masked_section;
   result.keeps_one_release = true;
+  result.event_entry = costs.event_entry;
+  result.event_pause = costs.event_pause;
   result.source = WcetSource::assumed;
   if (robot.computed) take_bounds_of_image(*robot.computed, schedule, costs.job(), result);
   if (options.trace || options.monitor) result.masked = std::max(result.masked, costs.masked_section);

@@ -5,9 +5,12 @@
 #include <algorithm>
 
 #include "generator/timing/explain.hpp"
+#include "generator/timing/frame_waits.hpp"
 #include "generator/timing/operands.hpp"
 #include "generator/timing/shares.hpp"
+#include "generator/timing/stamps.hpp"
 #include "generator/timing/table.hpp"
+#include "generator/timing/true_time.hpp"
 #include "generator/timing/unbounded.hpp"
 #include "generator/timing/words.hpp"
 #include "generator/units/units.hpp"
@@ -230,9 +233,18 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   const ProfileAnalysis& best = target ? *target : tight;
   Effort effort(request.limits.steps, best.most_releases);
   const WireAnalysis wire(model, best, effort);
-  const ChainAnalysis chains(model, topology, best, wire, effort);
+  const SampleAges ages = wire.acquisitions();
+  const ChainAnalysis chains(model, topology, best, wire, ages, effort);
   timing.chains = chains.defaults();
-  if (request.inputs) timing.inputs = chains.oldest_inputs();
+  timing.frame_waits = frame_waits(model, wire.transfers(), effort);
+  const SampleAges stamped = stamped_ages(model, best.set, ages, timing.frame_waits, effort);
+  for (const auto& age : stamped) timing.stamped_ages.push_back(true_bound(model, age));
+  if (request.inputs) {
+    timing.inputs = chains.oldest_inputs();
+    timing.stamped_inputs = timing.inputs;
+    if (!std::equal(ages.begin(), ages.end(), stamped.begin()))
+      timing.stamped_inputs = ChainAnalysis(model, topology, best, wire, stamped, effort).oldest_inputs();
+  }
   report_unconnected(model, chains, request.chains, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   const std::vector<Requirement> requirements = reach_actuators(request.requirements, model, topology);

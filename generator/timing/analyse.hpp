@@ -43,7 +43,7 @@ struct AnalysisRequest {
   std::vector<ChainRequest> chains;  ///< beyond the default ones
   std::vector<Requirement> requirements;
   bool chains_alone = false;  ///< requirements add their chains, and are not judged
-  bool inputs = false;        ///< fill Timing::inputs
+  bool inputs = false;        ///< fill Timing::inputs and stamped_inputs
   bool every = false;         ///< fill Timing::others
   Remodel remodel;            ///< to look for hints that help; none: messages are without them
   Limits limits;              ///< of each profile and of the chains
@@ -66,6 +66,9 @@ struct Timing {
   Profile asked = Profile::tight;   ///< of the verdict
   std::vector<ChainResult> chains;  ///< of the best profile
   std::vector<ChainResult> inputs;  ///< on request: the oldest data behind every command (ChainAnalysis::oldest_inputs)
+  std::vector<ChainResult> stamped_inputs;  ///< the same by the time stamps of the data, which may be too early
+  Table<Rank, std::optional<Duration>> stamped_ages;  ///< of samples when update() begins, by their time stamps
+  Table<Rank, std::optional<Duration>> frame_waits;   ///< what frames on CAN are dated by (frame_waits.hpp)
   std::vector<ChainResult> others;  ///< on request: chains that are not among `chains` (ChainAnalysis::every)
   std::vector<RequirementResult> requirements;
   Table<BusPlace, BusLoad> bus_loads;

@@ -28,7 +28,8 @@ bool is_older(const ChainResult& a, const ChainResult& b) { return less(b.age, a
 }  // namespace
 
 ChainAnalysis::ChainAnalysis(const Model& model, const Topology& topology, const ProfileAnalysis& profile,
-                             const WireAnalysis& wire, Effort& effort, std::size_t most_pairs)
+                             const WireAnalysis& wire, Table<Rank, std::optional<Duration>> ages, Effort& effort,
+                             std::size_t most_pairs)
     : model_(model),
       topology_(topology),
       profile_(profile),
@@ -36,11 +37,11 @@ ChainAnalysis::ChainAnalysis(const Model& model, const Topology& topology, const
       effort_(effort),
       most_pairs_(most_pairs),
       reach_(model, topology),
-      decisions_(model, topology, reach_, profile, effort) {
+      decisions_(model, topology, reach_, profile, effort),
+      acquire_(std::move(ages)) {
   for (const Rank d : model.devices.ids()) {
     const Device& device = model.devices[d];
     if (device.source == WcetSource::assumed) assumed_from_ = std::min(assumed_from_, device.period);
-    acquire_.push_back(wire.acquisition(d));
   }
 }
 

@@ -30,10 +30,11 @@ class ChainAnalysis {
  public:
   static constexpr std::size_t kMostPairs = 1024;
 
+  /// @param ages        of every device: of its samples when its update() begins, which is the `acquire` of its chains
   /// @param most_pairs  up to so many pairs of leaves of one tree `defaults()` looks at each; beyond, at groups of
   /// them.
   ChainAnalysis(const Model& model, const Topology& topology, const ProfileAnalysis& profile, const WireAnalysis& wire,
-                Effort& effort, std::size_t most_pairs = kMostPairs);
+                Table<Rank, std::optional<Duration>> ages, Effort& effort, std::size_t most_pairs = kMostPairs);
   ChainAnalysis(const ChainAnalysis&) = delete;
   ChainAnalysis& operator=(const ChainAnalysis&) = delete;
 

@@ -282,6 +282,8 @@ Json costs_json(const Costs& costs) {
   add("masked_ns", costs.masked);
   if (costs.keeps_one_release) out["keeps_one_release"] = true;
   if (costs.longest_release > Duration::zero()) out["longest_release_ns"] = costs.longest_release.ns();
+  if (costs.event_entry > Duration::zero()) out["event_entry_ns"] = costs.event_entry.ns();
+  if (costs.event_pause > Duration::zero()) out["event_pause_ns"] = costs.event_pause.ns();
   return out;
 }
 

@@ -174,6 +174,8 @@ struct Costs {
   bool keeps_one_release = false;  ///< the timer: of releases that wait for their interrupt, all but one are lost
   /// Where all periods are longer than the timer can count: it interrupts in between, too, so far apart. 0: never.
   Duration longest_release = {};
+  Duration event_entry;  ///< that the firmware takes from an event of a bus to the begin of its routine, to date it
+  Duration event_pause;  ///< between two routines that count as one row: an event is no older than the row
   WcetSource source = WcetSource::unknown;  ///< of the release, of what jobs take beside their stages, and of masked
 };
 

@@ -174,6 +174,8 @@ struct ModelReader::Tables {
       {"masked_ns", Need::target, &Costs::masked},
       {"keeps_one_release", Need::target, &Costs::keeps_one_release},
       {"longest_release_ns", Need::target, &Costs::longest_release},
+      {"event_entry_ns", Need::target, &Costs::event_entry},
+      {"event_pause_ns", Need::target, &Costs::event_pause},
   };
   static constexpr Field<Flush> kFlush[] = {
       {"period_ns", Need::required, &Flush::period, 1},

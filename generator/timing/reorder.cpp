@@ -25,7 +25,8 @@ struct Score {
 void add_chains(const Model& model, const Topology& topology, const ProfileAnalysis& analysis, Score& score) {
   Effort effort(kTrialLimits.steps, analysis.most_releases);
   const WireAnalysis wire(model, analysis, effort);
-  for (const ChainResult& chain : ChainAnalysis(model, topology, analysis, wire, effort).defaults())
+  for (const ChainResult& chain :
+       ChainAnalysis(model, topology, analysis, wire, wire.acquisitions(), effort).defaults())
     score.add(shown(chain));
 }
 

@@ -30,6 +30,10 @@ class TransferBounds {
   [[nodiscard]] std::optional<Duration> of(Rank device, std::size_t transfer) const;
   /// The same without service routines, and with the look that sees it: when its last bit is there.
   [[nodiscard]] std::optional<Duration> arrival(Rank device, std::size_t transfer) const;
+  /// The shortest time from one hand-over to the next, which arrival() is never above.
+  [[nodiscard]] Duration interval(Rank device, std::size_t transfer) const {
+    return items_[item_of_[device][transfer]].period;
+  }
   /// Hand-over to last bit of what the flush of one bucket hands over, if its data are sent; 0 where it hands over
   /// nothing.
   [[nodiscard]] std::optional<Duration> of_flush(std::size_t flush) const;

@@ -16,37 +16,11 @@ bool is_sent_on(const Model& model, BusPlace place) {
                      [&](const Device& d) { return std::any_of(d.transfers.begin(), d.transfers.end(), is_ours); });
 }
 
-/// Where frames arbitrate, one of a part may wait for one of ours. Both wait for the same bit to begin; and the
-/// firmware, which cannot know, dates it by when the routine began that sent ours.
-Duration dated_early(const Model& model, BusPlace place) {
+/// Where frames arbitrate, one of a part may wait for one of ours that comes up to a bit later: both wait for the same
+/// bit to begin.
+Duration same_bit(const Model& model, BusPlace place) {
   const Bus& bus = model.buses[place];
-  if (!bus.arbitrated || !is_sent_on(model, place)) return {};
-  Duration routine = bus.wcet;
-  if (bus.sources) {
-    for (const InterruptSource& source : *bus.sources) routine = std::max(routine, source.wcet);
-  }
-  return ceil_div(seconds(1), bus.baud_bps) + routine + model.costs.interrupt;
-}
-
-/// On a line of two: the firmware dates a frame by the silence behind it, and as if the sender's bits were as long as
-/// can be, 1 in 22 (RM0090 30.3.5). Where there may be no silence, as another frame follows at once, all bytes that
-/// came together are dated as if as much silence lay between them: for each twice its time. They are part of what the
-/// device receives.
-Duration dated_early_on_line(const Model& model, const Device& device) {
-  constexpr std::int64_t kLongestByteBits = 12, kMostDeviation = 22;
-  Duration all, longest;
-  std::int64_t kinds = 0;
-  bool has_gap = true;
-  for (const Transfer& transfer : device.transfers) {
-    if (!transfer.receive) continue;
-    const Duration least = 2 * ceil_div(kLongestByteBits * seconds(1), model.buses[transfer.bus].baud_bps);
-    all += transfer.wire;
-    longest = std::max(longest, transfer.wire);
-    has_gap = has_gap && transfer.min_interval - transfer.wire > least;
-    ++kinds;
-  }
-  const Duration slow = nanoseconds(ceil_div(longest.ns(), kMostDeviation));
-  return kinds == 1 && has_gap ? slow : slow + 2 * all;
+  return bus.arbitrated && is_sent_on(model, place) ? ceil_div(seconds(1), bus.baud_bps) : Duration::zero();
 }
 
 /// Whether this transfer can bring a sample: one that reads. Where none is known to, as of a model in a file, any that
@@ -207,10 +181,10 @@ std::optional<Duration> WireAnalysis::streamed(Rank from) const {
     if (device.transfers[t].after != Transfer::After::autonomous) continue;
     const auto bound = transfers_.arrival(from, t);
     if (!bound) return std::nullopt;
-    wire = std::max(wire, *bound + dated_early(model_, device.transfers[t].bus));
+    wire = std::max(wire, *bound + same_bit(model_, device.transfers[t].bus));
   }
   const Acquisition& a = *device.acquisition;
-  return a.fixed + a.interval + wire + dated_early_on_line(model_, device) + profile_.set.blocking;
+  return a.fixed + a.interval + wire + profile_.set.blocking;
 }
 
 /// After the release of its job, at the latest: with its stage, or, where the part answers a frame that several devices
@@ -268,6 +242,12 @@ std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
   if (!asks_too || !sent) return sent;
   const auto answered = asked(from);
   return answered ? std::optional(std::max(*sent, *answered)) : std::nullopt;
+}
+
+Table<Rank, std::optional<Duration>> WireAnalysis::acquisitions() const {
+  Table<Rank, std::optional<Duration>> ages;
+  for (const Rank d : model_.devices.ids()) ages.push_back(acquisition(d));
+  return ages;
 }
 
 }  // namespace finemote::gen::timing

@@ -21,8 +21,11 @@ class WireAnalysis {
 
   /// Age of a sample when update(from) begins; 0 without acquisition data; none where unbounded.
   [[nodiscard]] std::optional<Duration> acquisition(Rank from) const;
+  /// The same of every device.
+  [[nodiscard]] Table<Rank, std::optional<Duration>> acquisitions() const;
 
   [[nodiscard]] const Table<BusPlace, BusLoad>& loads() const { return transfers_.loads(); }
+  [[nodiscard]] const TransferBounds& transfers() const { return transfers_; }
 
  private:
   [[nodiscard]] std::optional<Duration> streamed(Rank from) const;

@@ -19,6 +19,8 @@ constexpr std::uint8_t kErrorPassive = 127;
 /// Above what the routine takes that puts frames into mailboxes.
 constexpr Duration kLongestRoutine = 20 * kMicrosecond;
 
+constexpr Time later(Time a, Time b) { return a < b ? b : a; }
+
 constexpr std::uint32_t bit_of(unsigned number) { return std::uint32_t{1} << number % 32; }
 
 /// Of the lowest bit that is set; `bits` is not 0.
@@ -91,11 +93,11 @@ bool CanBus::quiet() {
 }
 
 void CanBus::on_frame(const CanFrame& frame, Moment arrival) {
-  const Time at = busy_since(arrival);
+  const Time since = busy_since(arrival);
   ++counters_.transfers;
   for (std::uint8_t i = 0; i < count_; ++i) {
     for (CanInbox* inbox = &slots_[i]->inbox_; inbox != nullptr; inbox = inbox->next_) {
-      if (inbox->ids_.hold(frame.id)) return inbox->store(frame, at);
+      if (inbox->ids_.hold(frame.id)) return inbox->store(frame, later(since, arrival.earliest - slots_[i]->waits_));
     }
   }
   ++counters_.lost;  // a filter lets more through than is wanted

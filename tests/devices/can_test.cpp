@@ -30,13 +30,16 @@ struct Fixture {
     return slot.set_shared(bytes);
   }
   /// A slot of a device that owns the first word of a frame.
-  CanSlot at_frame(std::uint16_t frame) { return CanSlot{bus, 9, CanIds{}, 1, CanShare{frame, 0, 2}}; }
+  CanSlot at_frame(std::uint16_t frame) {
+    return CanSlot{bus, 9, CanIds{}, CanSlot::kAnyTime, 1, CanShare{frame, 0, 2}};
+  }
   static std::vector<std::uint8_t> sent_bytes(std::size_t index) {
     const CanFrame& frame = host::can1.sent.at(index).frame;
     return {frame.data, frame.data + frame.size};
   }
 
-  CanSlot one{bus, 1, 0x201, 1, CanShare{0x200, 0, 2}}, two{bus, 2, 0x202, 1, CanShare{0x200, 6, 2}};
+  CanSlot one{bus, 1, 0x201, CanSlot::kAnyTime, 1, CanShare{0x200, 0, 2}},
+      two{bus, 2, 0x202, CanSlot::kAnyTime, 1, CanShare{0x200, 6, 2}};
   CanSlot* const table[2] = {&one, &two};
   CanBus bus{ports::can1, 1000000, table};
 };
@@ -73,6 +76,20 @@ TEST_CASE_METHOD(Fixture, "a frame is as old as the bus was busy before it: it m
   CHECK(two.received().at == start + 300 * kMicrosecond - kLongestFrame);
 }
 
+TEST_CASE_METHOD(Fixture, "a frame is no older than the longest that such frames wait, however long the bus was busy") {
+  CanSlot patient{bus, 1, 0x201, 300'000, 1}, other{bus, 2, 0x202, CanSlot::kAnyTime, 1};
+  CanSlot* const slots[2] = {&patient, &other};
+  CanBus two_slots{ports::can1, 1000000, slots};
+  two_slots.start();
+  const Time start = 10 * kMillisecond;
+  for (unsigned i = 0; i < 8; ++i) two_slots.on_frame(frame(0x202, 1), at(start + i * 120 * kMicrosecond));
+  const Time last = start + 8 * 120 * kMicrosecond;
+  two_slots.on_frame(frame(0x201, 1), {last - 10 * kMicrosecond, last});
+  CHECK(patient.received().at == last - 310 * kMicrosecond);
+  two_slots.on_frame(frame(0x202, 1), at(last + 120 * kMicrosecond));
+  CHECK(other.received().at == start - kLongestFrame);
+}
+
 TEST_CASE_METHOD(Fixture, "a frame may have waited for ours") {
   host::advance(10 * kMillisecond);
   const Time sent = now();
@@ -98,8 +115,8 @@ TEST_CASE_METHOD(Fixture, "an identifier nobody knows is counted and touches not
 
 TEST_CASE_METHOD(Fixture, "a device keeps the last frame of each entry apart, and hears only its identifiers") {
   CanInbox more[]{CanInbox{0x281, &more[1]}, CanInbox{CanIds{0x020, 32}}};
-  CanSlot many{bus, 1, 0x181, 1, CanShare{}, more};
-  CanSlot silent{bus, 3, CanIds{}, 1};
+  CanSlot many{bus, 1, 0x181, CanSlot::kAnyTime, 1, CanShare{}, more};
+  CanSlot silent{bus, 3, CanIds{}, CanSlot::kAnyTime, 1};
   CanSlot* const slots[2] = {&many, &silent};
   CanBus two_slots{ports::can1, 1000000, slots};
   two_slots.start();
@@ -130,7 +147,7 @@ TEST_CASE_METHOD(Fixture, "devices fill one frame, which is sent once per flush"
 }
 
 TEST_CASE_METHOD(Fixture, "a frame waits for the end of the bucket that fills it") {
-  CanSlot fast{bus, 3, CanIds{}, 0, CanShare{0x1FF, 0, 2}};
+  CanSlot fast{bus, 3, CanIds{}, CanSlot::kAnyTime, 0, CanShare{0x1FF, 0, 2}};
   set_word(one, 1);  // of priority 1; a faster bucket preempts it before its second device
   set_word(fast, 2);
   bus.flush(0);
@@ -145,7 +162,8 @@ TEST_CASE_METHOD(Fixture, "a frame waits for the end of the bucket that fills it
 }
 
 TEST_CASE_METHOD(Fixture, "a device's part of a frame may be any of its bytes") {
-  CanSlot byte{bus, 3, CanIds{}, 1, CanShare{0x300, 5, 1}}, half{bus, 4, CanIds{}, 1, CanShare{0x300, 0, 4}};
+  CanSlot byte{bus, 3, CanIds{}, CanSlot::kAnyTime, 1, CanShare{0x300, 5, 1}},
+      half{bus, 4, CanIds{}, CanSlot::kAnyTime, 1, CanShare{0x300, 0, 4}};
   const std::uint8_t bytes[]{1, 2, 3, 4};
   CHECK(byte.set_shared(bytes));
   CHECK(half.set_shared(bytes));
@@ -153,7 +171,7 @@ TEST_CASE_METHOD(Fixture, "a device's part of a frame may be any of its bytes") 
   host::advance(1 * kMillisecond);
   REQUIRE(host::can1.sent.size() == 1);
   CHECK(sent_bytes(0) == std::vector<std::uint8_t>{1, 2, 3, 4, 0, 1, 0, 0});
-  CanSlot alone{bus, 5, CanIds{}, 1};
+  CanSlot alone{bus, 5, CanIds{}, CanSlot::kAnyTime, 1};
   CHECK_FALSE(alone.set_shared(bytes));
 }
 

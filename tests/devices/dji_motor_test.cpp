@@ -54,9 +54,9 @@ struct Fixture {
     return all;
   }
 
-  CanSlot wheel_slot{bus, 2, 0x202, 1, CanShare{0x200, 2, 2}};
-  CanSlot fifth_slot{bus, 5, 0x205, 1, CanShare{0x1FF, 0, 2}};
-  CanSlot yaw_slot{bus, 3, 0x207, 1, CanShare{0x1FE, 4, 2}};
+  CanSlot wheel_slot{bus, 2, 0x202, CanSlot::kAnyTime, 1, CanShare{0x200, 2, 2}};
+  CanSlot fifth_slot{bus, 5, 0x205, CanSlot::kAnyTime, 1, CanShare{0x1FF, 0, 2}};
+  CanSlot yaw_slot{bus, 3, 0x207, CanSlot::kAnyTime, 1, CanShare{0x1FE, 4, 2}};
   CanSlot* const table[3] = {&wheel_slot, &fifth_slot, &yaw_slot};
   CanBus bus{ports::can1, 1000000, table};
   DjiM3508 wheel{{}, wheel_slot};

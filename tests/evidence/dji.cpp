@@ -53,8 +53,8 @@ class Bench {
   Bench(const Kind& kind, unsigned id, CanShare share) {
     bench::reset();
     slot_ = std::make_unique<CanSlot>(bus_, static_cast<std::uint16_t>(id),
-                                      CanIds{static_cast<std::uint16_t>(kind.feedback_base() + id)}, std::uint8_t{1},
-                                      share);
+                                      CanIds{static_cast<std::uint16_t>(kind.feedback_base() + id)},
+                                      std::int32_t{CanSlot::kAnyTime}, std::uint8_t{1}, share);
     const auto gear = static_cast<float>(kind.gear);
     if (kind.motor == &detail::kC620) motor_ = std::make_unique<Holder<DjiM3508>>(DjiM3508::Config{gear}, *slot_);
     if (kind.motor == &detail::kC610) motor_ = std::make_unique<Holder<DjiM2006>>(DjiM2006::Config{gear}, *slot_);

@@ -154,7 +154,7 @@ TEST_CASE("default chains are the oldest of all sources that are connected, on r
     const ProfileAnalysis tight = analyse_profile(model, topology, Profile::tight);
     Effort effort;
     const WireAnalysis wire(model, tight, effort);
-    const ChainAnalysis chains(model, topology, tight, wire, effort);
+    const ChainAnalysis chains(model, topology, tight, wire, wire.acquisitions(), effort);
     for (const ChainResult& found : chains.defaults()) {
       INFO("seed " << seed << ", to " << model.devices[found.to].name);
       CHECK(chains.connected(found.from, found.to));

@@ -138,12 +138,12 @@ TEST_CASE("a chain beyond the limits is bounded by a closed form, through reads 
       const ProfileAnalysis exact = analyse_profile(model, topology, Profile::tight);
       Effort effort;
       const WireAnalysis wire(model, exact, effort);
-      const ChainAnalysis exact_chains(model, topology, exact, wire, effort);
+      const ChainAnalysis exact_chains(model, topology, exact, wire, wire.acquisitions(), effort);
       for (const Limits& limits : kTooLow) {
         const ProfileAnalysis analysis = analyse_profile(model, topology, Profile::tight, limits);
         Effort little(limits.steps, analysis.most_releases);
         const WireAnalysis other_wire(model, analysis, little);
-        const ChainAnalysis chains(model, topology, analysis, other_wire, little);
+        const ChainAnalysis chains(model, topology, analysis, other_wire, other_wire.acquisitions(), little);
         for (const Rank from : model.devices.ids()) {
           for (const Rank to : model.devices.ids()) {
             if (!chains.connected(from, to)) continue;

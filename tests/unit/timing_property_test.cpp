@@ -171,7 +171,7 @@ TEST_CASE("no simulated chain is above its decision bound, through reads or not"
         const ProfileAnalysis analysis = analyse_profile(model, topology, profile);
         Effort effort;
         const WireAnalysis wire(model, analysis, effort);
-        const ChainAnalysis chains(model, topology, analysis, wire, effort);
+        const ChainAnalysis chains(model, topology, analysis, wire, wire.acquisitions(), effort);
         std::vector<ChainEnds> ends;
         for (const Rank a : model.devices.ids()) {
           for (const Rank b : model.devices.ids()) {
@@ -210,8 +210,8 @@ TEST_CASE("the default chains of a large tree are at least those of every pair")
       const ProfileAnalysis analysis = analyse_profile(model, topology, Profile::tight);
       Effort effort;
       const WireAnalysis wire(model, analysis, effort);
-      const ChainAnalysis pairs(model, topology, analysis, wire, effort);
-      const ChainAnalysis groups(model, topology, analysis, wire, effort, 0);
+      const ChainAnalysis pairs(model, topology, analysis, wire, wire.acquisitions(), effort);
+      const ChainAnalysis groups(model, topology, analysis, wire, wire.acquisitions(), effort, 0);
       const auto exact = pairs.defaults(), quick = groups.defaults();
       REQUIRE(exact.size() == quick.size());
       for (std::size_t c = 0; c < exact.size(); ++c) {

@@ -55,12 +55,15 @@ class CanSlot {
   /// @param bus       whose table names the slot
   /// @param id        the device's `id` in the URDF
   /// @param receives  identifiers of the frames it sends to us
+  /// @param waits     longest from when the device has such a frame until its last bit is on the bus, where the timing
+  ///                  analysis knows one that holds while every job meets its deadline [ns]
   /// @param priority  0 is the most urgent: the index of the bucket, shortest period first
   /// @param share     its bytes in a command frame
   /// @param more      where frames with further identifiers are kept, in the order of its descriptor
-  constexpr CanSlot(CanBus& bus, std::uint16_t id, CanIds receives, std::uint8_t priority, CanShare share = {},
-                    CanInbox* more = nullptr)
-      : bus_(&bus), id_(id), priority_(priority), share_(share), inbox_(receives, more) {}
+  constexpr CanSlot(CanBus& bus, std::uint16_t id, CanIds receives, std::int32_t waits, std::uint8_t priority,
+                    CanShare share = {}, CanInbox* more = nullptr)
+      : bus_(&bus), id_(id), priority_(priority), share_(share), waits_(waits), inbox_(receives, more) {}
+  static constexpr std::int32_t kAnyTime = INT32_MAX;  ///< nobody knows how long frames wait
 
   using Received = CanInbox::Received;  ///< a frame, and when it was made
   /// The last frame received of entry `entry` of the descriptor's "receives", whole; of an entry it has not: none.
@@ -86,6 +89,7 @@ class CanSlot {
   const std::uint8_t priority_;
   CanFrame out_;
   const CanShare share_;
+  const std::int32_t waits_;
   AtStart<std::uint32_t> group_{UINT32_MAX};  ///< of the bus; too large: it is looked for
   AtStart<std::uint32_t> place_{0};           ///< in the table of the bus
   CanInbox inbox_;
@@ -116,8 +120,8 @@ class CanBus {
   /// Calls `accept(const CanIds&)` with each entry of what the devices receive. Context: init.
   template <typename Accept>
   void each_ids(Accept&& accept) const;
-  /// A frame arrived. It may have waited for as long as the bus had been busy without a pause: then it was made at the
-  /// earliest, and that is the time it is kept with. Context: interrupt.
+  /// A frame arrived. It may have waited for as long as the bus had been busy without a pause, or for as long as such
+  /// frames wait at most: then it was made at the earliest, and that is the time it is kept with. Context: interrupt.
   void on_frame(const CanFrame& frame, Moment arrival);
   /// A pended interrupt, or a mailbox that fell free. Context: interrupt.
   void on_interrupt();

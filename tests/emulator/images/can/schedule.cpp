@@ -25,8 +25,10 @@ finemote::CanSlot* const right_slots[] = {&slots::right};
 FINEMOTE_CONSTINIT finemote::CanBus left_bus{finemote::ports::can1, 1000000, left_slots};
 FINEMOTE_CONSTINIT finemote::CanBus right_bus{finemote::ports::can2, 500000, right_slots};
 namespace slots {
-FINEMOTE_CONSTINIT finemote::CanSlot left{left_bus, 1, 0x201, 1, finemote::CanShare{0x200, 0, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot right{right_bus, 1, 0x201, 1, finemote::CanShare{0x200, 6, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot left{
+    left_bus, 1, 0x201, finemote::CanSlot::kAnyTime, 1, finemote::CanShare{0x200, 0, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot right{
+    right_bus, 1, 0x201, finemote::CanSlot::kAnyTime, 1, finemote::CanShare{0x200, 6, 2}};
 }  // namespace slots
 
 void put_word(finemote::CanSlot& slot, std::int16_t word) {
