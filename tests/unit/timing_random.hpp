@@ -31,7 +31,12 @@ class RandomForest {
   /// Costs, interrupt sources with budgets, copies and flushes on top.
   void extend(Model& model) {
     model.has_target = true;
-    model.costs = {up_to(3), up_to(2), up_to(1), up_to(4), up_to(1), up_to(4)};
+    model.costs.release = up_to(3);
+    model.costs.release_per_bucket = up_to(2);
+    model.costs.interrupt = up_to(1);
+    model.costs.job = up_to(4);
+    model.costs.stage = up_to(1);
+    model.costs.masked = up_to(4);
     for (Device& d : model.devices) {
       d.update_bcet = random_.between({}, d.update_wcet);
       d.update_extra = up_to(2);
