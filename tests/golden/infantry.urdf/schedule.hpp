@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 187.384 us of its release.
+/// a job ends within 187.718 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 201.562 us of its release.
+/// a job ends within 201.896 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 272.572 us of its release.
+/// a job ends within 273.036 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 346.655 us of its release.
+/// a job ends within 347.393 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{183622, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{180270, 28535441, 28893173};
-inline constexpr finemote::Bounds pitch{175596, 28530767, 28893173};
-inline constexpr finemote::Bounds gimbal{201562, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{271054, 26626125, 27027949};
-inline constexpr finemote::Bounds front_right{266637, 26621708, 27027949};
-inline constexpr finemote::Bounds rear_left{262214, 26617285, 27027949};
-inline constexpr finemote::Bounds rear_right{257796, 26612867, 27027948};
-inline constexpr finemote::Bounds chassis{253373, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{346655, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{183956, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{180604, 28444857, 28802791};
+inline constexpr finemote::Bounds pitch{175965, 28440218, 28802791};
+inline constexpr finemote::Bounds gimbal{201896, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{271518, 26535671, 26937899};
+inline constexpr finemote::Bounds front_right{267137, 26531290, 26937899};
+inline constexpr finemote::Bounds rear_left{262750, 26526903, 26937899};
+inline constexpr finemote::Bounds rear_right{258368, 26522521, 26937898};
+inline constexpr finemote::Bounds chassis{253981, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{347393, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

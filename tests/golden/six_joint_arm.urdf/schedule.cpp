@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 361697, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 259024, 29079300, &arm::base.command},  // base
-    {0, 251907, 29072183, &arm::shoulder.command},  // shoulder
-    {0, 244784, 29065060, &arm::elbow.command},  // elbow
-    {0, 237666, 29057942, &arm::wrist_roll.command},  // wrist_roll
-    {0, 213168, 29033444, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 206051, 29026327, &arm::flange.command},  // flange
-    {0, 193306, finemote::kNothingToBound, nullptr},  // arm
+    {1, 362433, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 259486, 29155432, &arm::base.command},  // base
+    {0, 252405, 29148351, &arm::shoulder.command},  // shoulder
+    {0, 245318, 29141264, &arm::elbow.command},  // elbow
+    {0, 238236, 29134182, &arm::wrist_roll.command},  // wrist_roll
+    {0, 213500, 29109446, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 206419, 29102365, &arm::flange.command},  // flange
+    {0, 193710, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace
