@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 const std::map<std::string, std::vector<std::string>> kRows{
     {"exception entry and exit",
      {"costs.exception_entry", "costs.exception_exit", "costs.exception_entry.sram", "costs.exception_exit.sram"}},
+    {"`event_entry`", {"costs.event_entry", "costs.event_pause"}},
     {"`fpu_context`", {"costs.fpu_context"}},
     {"`preemption`", {"costs.preemption"}},
     {"`release` ", {"costs.release"}},
