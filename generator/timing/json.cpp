@@ -172,11 +172,13 @@ Json tree_json(const Model& model, const TreeResult& tree, Profile profile) {
   return out;
 }
 
-Json chain_json(const Model& model, const ChainResult& c) {
+Json chain_json(const Timing& timing, const ChainResult& c) {
+  const Model& model = timing.model;
   Json out{{"from", model.devices[c.from].name},
            {"to", model.devices[c.to].name},
            {"decide_ns", number(c.decide)},
            {"acquire_ns", number(c.acquire)},
+           {"stamped_ns", number(timing.stamped_ages[c.from])},
            {"wire_ns", number(c.wire)},
            {"end_to_end_ns", number(c.end_to_end)},
            {"assumed", c.assumed}};
@@ -344,7 +346,7 @@ Json timing_json(const Timing& timing) {
   out["processor_load"] = timing.processor_load;
   out["processor"] = processor_json(timing);
   Json& chains = out["chains"] = Json::array();
-  for (const ChainResult& c : timing.chains) chains.push_back(chain_json(model, c));
+  for (const ChainResult& c : timing.chains) chains.push_back(chain_json(timing, c));
   for (const MissingBound& missing : timing.missing) {
     const Json why{{"part", part_name(missing.part)}, {"why", missing.why}, {"restored_by", missing.restored_by}};
     for (const std::size_t c : missing.chains) chains[c]["unbounded"].push_back(why);

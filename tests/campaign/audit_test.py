@@ -46,7 +46,7 @@ def record():
 
 
 def analysis(**changed):
-    bounds = {"acquire": 1302000, "decide": 14000, "wire": 26000, "end_to_end": 1340000, **changed}
+    bounds = {"acquire": 1302000, "stamped": 1400000, "decide": 14000, "wire": 26000, "end_to_end": 1340000, **changed}
     devices = [{"name": "eye", "parent": "hand", "period_ns": 1000000, "update_wcet_ns": 5000, "handle_wcet_ns": 1000},
                {"name": "hand", "parent": None, "period_ns": 1000000, "update_wcet_ns": 1000, "handle_wcet_ns": 3000}]
     return {
@@ -111,6 +111,15 @@ class Verdicts(unittest.TestCase):
             if event["what"] == "used":
                 event["claimed"] = -300 * US + 1_000_001
         self.assertEqual(len(verdict(events, analysis()).broken), 2)
+
+    def test_data_that_look_older_than_they_may_are_found(self):
+        for age, broken in ((1_420_000, ["eye hand claim"]), (1_390_000, [])):
+            events = record()
+            for event in events:
+                if event["what"] == "used":
+                    event["claimed"] = event["t"] - age * 1000
+            seen = verdict(events, analysis())
+            self.assertEqual([line.split(":")[0] for line in seen.broken], broken)
 
     def test_overruns_and_resets_are_found(self):
         events = record() + [{"t": 2000 * US, "what": "overrun", "exception": 64}, {"t": 2001 * US, "what": "reset"}]

@@ -20,12 +20,10 @@ def is_bounded(chain):
 def bounds_of(analysis):
     """All bounds in ns by what they bound; None where there is none."""
     bounds = {}
-    arbitrated = devices_that_arbitrate(analysis["model"])
     for chain in analysis["chains"]:
         for kind in KINDS:
             bounds[chain["from"], chain["to"], kind] = chain[kind + "_ns"]
-        if chain["from"] not in arbitrated:
-            bounds[chain["from"], chain["to"], "claim"] = chain["acquire_ns"]  # what commands are dropped by
+        bounds[chain["from"], chain["to"], "claim"] = chain["stamped_ns"]  # what commands are dropped by
     for device in analysis["target"]["devices"]:
         bounds[device["name"], "update", "response"] = device["r_plus_ns"]
         bounds[device["name"], "handle", "response"] = device["r_minus_ns"]
@@ -54,12 +52,6 @@ def add_costs(model, bounds):
         around += sum(d.get("update_extra_ns", 0) + d.get("handle_extra_ns", 0) for d in devices)
         around += sum(f["wcet_ns"] for f in model.get("flushes", []) if f["period_ns"] == period)
         bounds[str(period), "job", "flush"] = around
-
-
-def devices_that_arbitrate(model):
-    """The firmware dates their frames as if any other frame could have gone first: older than identifiers allow."""
-    buses = {bus["name"] for bus in model["buses"] if bus.get("arbitrated")}
-    return {d["name"] for d in model["devices"] if any(t["bus"] in buses for t in d.get("transfers", []))}
 
 
 def devices_on(bus, model):
