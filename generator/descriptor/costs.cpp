@@ -28,8 +28,8 @@ Costs read_costs(const Json& value, CodePlace place) {
   costs.bucket = required("bucket");
   costs.stage = required("stage");
   costs.masked_section = required("masked_section");
-  costs.event_entry = cost(value, "event_entry", place).value_or(Duration::zero());
-  costs.event_pause = cost(value, "event_pause", place).value_or(Duration::zero());
+  costs.event_entry = cost(value, "event_entry", place);
+  costs.event_pause = cost(value, "event_pause", place);
   costs.flush = required("flush");
   costs.flush_per_channel = required("flush_per_channel");
   costs.flush_expander = required("flush_expander");

@@ -28,7 +28,7 @@ struct Costs {
   Duration flush_expander, flush_expander_per_channel;  ///< of a PWM expander: channels from the first to the last used
   Duration latch, latch_per_word;                       ///< publish or snapshot of a crossing; copy of four bytes
   Duration trace_event;
-  Duration event_entry, event_pause;                    ///< what the ports date events by; 0: the board does not say
+  std::optional<Duration> event_entry, event_pause;     ///< what the ports date events by; none: the board does not say
   std::optional<Duration> monitor_handle, monitor_job;  ///< none: the board does not say
 
   /// Of an interrupt of the release or of a bus. Throws Overflow.

@@ -31,11 +31,8 @@ Data inbox_list(const std::vector<IdentifierRange>& ranges) {
   return enumerated(std::move(inboxes));
 }
 
-constexpr const char* kAnyTime = "finemote::CanSlot::kAnyTime";
-
-/// [ns], as a 32-bit number of the firmware.
 std::string wait_value(std::optional<Duration> wait) {
-  return wait && *wait < seconds(2) ? std::to_string(wait->ns()) : kAnyTime;
+  return wait ? std::to_string(wait->ns()) : "finemote::CanSlot::kAnyTime";
 }
 
 }  // namespace
@@ -46,7 +43,7 @@ void set_can(const Plan& plan, const timing::RobotBounds& bounds, const Slot& sl
       is_own(device, slot) ? device.type->received(slot.address) : std::vector<IdentifierRange>();
   const auto share = is_own(device, slot) ? device.type->shared_frame(slot.address) : std::nullopt;
   data.set("receives", identifier_fields(ranges.empty() ? IdentifierRange{0, 0} : ranges.front()));
-  data.set("waits", ranges.empty() ? kAnyTime : wait_value(bounds.devices[*slot.device].wait));
+  data.set("waits", ranges.empty() ? "0" : wait_value(bounds.devices[*slot.device].wait));
   data.set("has_inboxes", ranges.size() > 1);
   data.set("inboxes", inbox_list(ranges));
   data.set("inbox_count", std::to_string(ranges.empty() ? 0 : ranges.size() - 1));

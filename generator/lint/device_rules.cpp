@@ -66,9 +66,10 @@ void report_command_age(const CheckedDevice& checked, const Param& param, Durati
     return units::format_duration(fits ? round_up(age.value, step) : age.value);
   };
   findings
-      .add(checked.device, fmt::format("data behind the commands of device '{}' can be {} old, and its '{}' is {}",
-                                       checked.device.name.text, rounded_up(microseconds(1)), param.spec->name,
-                                       units::format_duration(most)))
+      .add(checked.device,
+           fmt::format(
+               "data behind the commands of device '{}' can look {} old by their time stamps, and its '{}' is {}",
+               checked.device.name.text, rounded_up(microseconds(1)), param.spec->name, units::format_duration(most)))
       .note("it goes to its safe output although nothing has failed")
       .note(fmt::format("the oldest of these data come from '{}'", source.name.text), source.at)
       .hint(fmt::format("allow <param name=\"{}\">{}</param> or more, or make the data fresher", param.spec->name,

@@ -5,7 +5,8 @@
 
 namespace finemote::gen::timing {
 
-/// Of one device; without a value there is no bound, or nothing to bound.
+/// Of one device; without a value there is no bound, or nothing to bound. Ages are true ones, but for those of a
+/// monitor, which knows time stamps alone.
 struct DeviceBounds {
   std::optional<Duration> response;  ///< release to end of handle()
   bool has_input = false;            ///< it takes its command from another device

@@ -8,8 +8,9 @@
 namespace finemote::gen::timing {
 namespace {
 
-/// A generous guess.
+/// Generous guesses.
 constexpr Duration kMonitorGuess = microseconds(3);
+constexpr Duration kEventGuess = microseconds(3);
 
 /// The longest time that the release timer counts at once; it is whole ticks. Where no release is due until then, it
 /// interrupts all the same.
@@ -83,8 +84,8 @@ Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimin
   result.stage = costs.stage;
   result.masked = costs.masked_section;
   result.keeps_one_release = true;
-  result.event_entry = costs.event_entry;
-  result.event_pause = costs.event_pause;
+  result.event_entry = costs.event_entry.value_or(kEventGuess);
+  result.event_pause = costs.event_pause.value_or(kEventGuess);
   result.source = WcetSource::assumed;
   if (robot.computed) take_bounds_of_image(*robot.computed, schedule, costs.job(), result);
   if (options.trace || options.monitor) result.masked = std::max(result.masked, costs.masked_section);

@@ -236,14 +236,15 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   const SampleAges ages = wire.acquisitions();
   const ChainAnalysis chains(model, topology, best, wire, ages, effort);
   timing.chains = chains.defaults();
-  timing.frame_waits = frame_waits(model, wire.transfers(), effort);
-  const SampleAges stamped = stamped_ages(model, best.set, ages, timing.frame_waits, effort);
+  Effort of_stamps(request.limits.steps, best.most_releases);  // so that they do not cost chains their exactness
+  timing.frame_waits = frame_waits(model, wire.transfers(), of_stamps);
+  const SampleAges stamped = stamped_ages(model, best.set, ages, timing.frame_waits, of_stamps);
   for (const auto& age : stamped) timing.stamped_ages.push_back(true_bound(model, age));
   if (request.inputs) {
     timing.inputs = chains.oldest_inputs();
     timing.stamped_inputs = timing.inputs;
     if (!std::equal(ages.begin(), ages.end(), stamped.begin()))
-      timing.stamped_inputs = ChainAnalysis(model, topology, best, wire, stamped, effort).oldest_inputs();
+      timing.stamped_inputs = ChainAnalysis(model, topology, best, wire, stamped, of_stamps).oldest_inputs();
   }
   report_unconnected(model, chains, request.chains, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;

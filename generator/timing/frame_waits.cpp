@@ -1,9 +1,14 @@
 #include "generator/timing/frame_waits.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace finemote::gen::timing {
 namespace {
+
+/// What a slot of the firmware holds, CanSlot: 31 bits of nanoseconds, of which the largest number says that nobody
+/// knows.
+constexpr Duration kMostHeld = nanoseconds(INT32_MAX - 1);
 
 /// Every stage ends with the period of its job.
 Responses at_deadlines(const Model& model, const TaskSet& set) {
@@ -23,11 +28,12 @@ std::optional<Duration> longest_wait(const Model& model, const TransferBounds& t
   std::optional<Duration> longest;
   for (std::size_t t = 0; t < model.devices[device].transfers.size(); ++t) {
     if (!is_arbitrated_answer(model, model.devices[device].transfers[t])) continue;
-    if (!transfers.arrival(device, t)) return std::nullopt;
+    if (!transfers.arrival(device, t) || !transfers.all_leave(model.devices[device].transfers[t].bus))
+      return std::nullopt;
     const Duration wait = late.arrival(device, t).value_or(transfers.interval(device, t));
     longest = std::max(longest.value_or(Duration::zero()), wait);
   }
-  return longest;
+  return longest && *longest <= kMostHeld ? longest : std::nullopt;
 }
 
 }  // namespace

@@ -10,55 +10,63 @@ namespace finemote::gen::timing {
 namespace {
 
 /// An event is no older than the row of routines of which the last serves it, each begun so soon behind the one before
-/// that it may have waited. So long is a row at most; none where it may never end.
+/// that it may have waited. So long is a row at most; none where it may never end. Routines of I2C and SPI, which are
+/// less urgent, count too: the model does not tell them apart.
 std::optional<Duration> longest_row(const Model& model, const TaskSet& set, Effort& effort) {
-  std::vector<Stream> buses(set.streams.begin(), set.streams.begin() + static_cast<std::ptrdiff_t>(set.bus_streams));
-  for (Stream& stream : buses) stream.cost += model.costs.event_pause;
+  std::vector<Stream> streams = set.sources;
+  for (Stream& stream : streams) stream.cost += model.costs.event_pause;
+  streams.insert(streams.end(), set.dma.begin(), set.dma.end());
   Demand demand(effort);
-  demand.add_streams(buses);
+  demand.add_streams(streams);
   const Duration base = set.blocking + model.costs.event_entry;
   const Duration row = least_fit(demand, base, std::max(base, nanoseconds(1)), seconds(1));
   return row == kNever ? std::nullopt : std::optional(row);
 }
 
-/// On a line of two: the firmware dates a frame by the silence behind it, and as if the sender's bits were as long as
-/// can be, 1 in 22 (RM0090 30.3.5). Where there may be no silence, as another frame follows at once, all bytes that
-/// came together are dated as if as much silence lay between them: for each twice its time. They are part of what the
-/// device receives.
+/// The sender's bits are taken to be as long as they can be where they are understood: one part in 22 longer, RM0090
+/// 30.3.5.
+Duration with_slow_bits(Duration time) { return time + nanoseconds(ceil_div(time.ns(), std::int64_t{22})); }
+
+/// On a line of two: the firmware dates a frame by the silence behind it, and one that is read before that by two bytes
+/// and kEventSlack of uart.cpp. Where there may be no silence, as another frame follows at once, all bytes that came
+/// together are dated as if as much silence lay between them: for each twice its time. They are part of what the device
+/// receives.
 Duration early_on_line(const Model& model, const Device& device) {
-  constexpr std::int64_t kLongestByteBits = 12, kMostDeviation = 22;
-  Duration all, longest;
+  constexpr std::int64_t kLongestByteBits = 12;
+  constexpr Duration kEventSlack = microseconds(2);
+  Duration all, longest, two_bytes;
   std::int64_t kinds = 0;
   bool has_gap = true;
   for (const Transfer& transfer : device.transfers) {
     if (!transfer.receive) continue;
-    const Duration least = 2 * ceil_div(kLongestByteBits * seconds(1), model.buses[transfer.bus].baud_bps);
+    two_bytes = 2 * ceil_div(kLongestByteBits * seconds(1), model.buses[transfer.bus].baud_bps);
     all += transfer.wire;
     longest = std::max(longest, transfer.wire);
-    has_gap = has_gap && transfer.min_interval - transfer.wire > least;
+    has_gap = has_gap && transfer.min_interval - transfer.wire > two_bytes;
     ++kinds;
   }
-  const Duration slow = nanoseconds(ceil_div(longest.ns(), kMostDeviation));
-  return kinds == 1 && has_gap ? slow : slow + 2 * all;
+  const Duration unseen = kinds == 1 && has_gap ? two_bytes : 2 * all + two_bytes;
+  return with_slow_bits(longest) - longest + with_slow_bits(unseen) + kEventSlack;
 }
 
-class Stamps {
+/// How much earlier than the truth samples are dated at most.
+class EarlyStamps {
  public:
-  Stamps(const Model& model, const SampleAges& waits, std::optional<Duration> row)
+  EarlyStamps(const Model& model, const SampleAges& waits, std::optional<Duration> row)
       : model_(model), waits_(waits), row_(row) {}
 
-  /// Less the age of the sample; none where unbounded.
-  [[nodiscard]] std::optional<Duration> early(Rank d) const {
+  /// None: there is no bound.
+  [[nodiscard]] std::optional<Duration> of(Rank d) const {
     const Device& device = model_.devices[d];
     if (!device.acquisition) return Duration::zero();
     const auto& all = device.transfers;
     const auto arbitrates = [&](const Transfer& t) { return is_arbitrated_answer(model_, t); };
-    if (std::any_of(all.begin(), all.end(), arbitrates)) {
-      return waits_[d] && row_ ? std::optional(*waits_[d] + *row_) : std::nullopt;
-    }
-    const auto comes = [](const Transfer& t) { return t.after == Transfer::After::autonomous; };
-    if (std::none_of(all.begin(), all.end(), comes)) return Duration::zero();
-    return row_ ? std::optional(early_on_line(model_, device) + *row_) : std::nullopt;
+    const auto comes = [&](const Transfer& t) { return t.after == Transfer::After::autonomous && t.receive; };
+    const bool has_frames = std::any_of(all.begin(), all.end(), arbitrates);
+    if (!row_ || (has_frames && !waits_[d])) return std::nullopt;
+    Duration early = has_frames ? *waits_[d] : Duration::zero();
+    if (std::any_of(all.begin(), all.end(), comes)) early = std::max(early, early_on_line(model_, device));
+    return early + *row_;
   }
 
  private:
@@ -71,10 +79,10 @@ class Stamps {
 
 SampleAges stamped_ages(const Model& model, const TaskSet& set, const SampleAges& ages, const SampleAges& waits,
                         Effort& effort) {
-  const Stamps stamps(model, waits, longest_row(model, set, effort));
+  const EarlyStamps early_stamps(model, waits, longest_row(model, set, effort));
   SampleAges stamped;
   for (const Rank d : model.devices.ids()) {
-    const auto early = stamps.early(d);
+    const auto early = early_stamps.of(d);
     stamped.push_back(ages[d] && early ? std::optional(*ages[d] + *early) : std::nullopt);
   }
   return stamped;

@@ -119,7 +119,10 @@ std::size_t TransferBounds::add_item(Item item, std::int64_t interrupts, Duratio
   item.pure = item.wire;
   item.wire = with_service(item, interrupts, service);
   item.arbitrated = model_.buses[item.bus].arbitrated;
-  if (item.arbitrated) item.rank = 0;
+  if (item.arbitrated) {
+    item.rank = 0;
+    item.bit = ceil_div(seconds(1), model_.buses[item.bus].baud_bps);
+  }
   items_.push_back(item);
   return items_.size() - 1;
 }
@@ -158,7 +161,7 @@ std::optional<Duration> TransferBounds::more_urgent(const Item& own, Duration ti
   for (const Item& item : items_) {
     if (&item == &own || !competes(item, own) || !own.yields_to(item)) continue;
     if (!item.bounded) return std::nullopt;
-    const Duration span = time + item.jitter;
+    const Duration span = time + item.jitter + own.bit;
     total += (with_begin ? floor_div(span, item.period) + 1 : ceil_div(span, item.period)) * item.on_wire();
   }
   return total;
@@ -206,10 +209,12 @@ std::optional<Duration> TransferBounds::wait(const Item& own) const {
 /// Where identifiers decide between our frames, there are no more of them than mailboxes (robot_flushes.cpp). Then one
 /// is free, unless a frame is still in another when the next of the same slot comes.
 bool TransferBounds::finds_mailbox(const Item& own) const {
-  if (!own.arbitrated || own.autonomous || !own.identifiers) return true;
-  return std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
-    return item.bus != own.bus || item.autonomous || wait(item).has_value();
-  });
+  return !own.arbitrated || own.autonomous || !own.identifiers || all_leave(own.bus);
+}
+
+bool TransferBounds::all_leave(BusPlace bus) const {
+  return std::all_of(items_.begin(), items_.end(),
+                     [&](const Item& item) { return item.bus != bus || item.autonomous || wait(item).has_value(); });
 }
 
 std::optional<Duration> TransferBounds::bound(std::size_t index) const {
@@ -225,7 +230,7 @@ std::optional<Duration> TransferBounds::of(Rank device, std::size_t transfer) co
 std::optional<Duration> TransferBounds::arrival(Rank device, std::size_t transfer) const {
   const Item& own = items_[item_of_[device][transfer]];
   const auto before = wait(own);
-  return before ? std::optional<Duration>(*before + own.pure + own.look) : std::nullopt;
+  return before ? std::optional<Duration>(*before + own.bit + own.pure + own.look) : std::nullopt;
 }
 
 std::optional<Duration> TransferBounds::of_flush(std::size_t flush) const {

@@ -28,8 +28,12 @@ class TransferBounds {
 
   /// Hand-over to last bit of a transfer; none where one may still be queued when the next is handed over.
   [[nodiscard]] std::optional<Duration> of(Rank device, std::size_t transfer) const;
-  /// The same without service routines, and with the look that sees it: when its last bit is there.
+  /// The same without service routines, and with the look that sees it: when its last bit is there. Where frames
+  /// arbitrate it holds if all of ours leave, see all_leave(); one that another node hands over up to a bit later may
+  /// still go first there (Davis et al., their tau_bit).
   [[nodiscard]] std::optional<Duration> arrival(Rank device, std::size_t transfer) const;
+  /// Whether every frame of ours has left its bus before the next one of its slot is handed over.
+  [[nodiscard]] bool all_leave(BusPlace bus) const;
   /// The shortest time from one hand-over to the next, which arrival() is never above.
   [[nodiscard]] Duration interval(Rank device, std::size_t transfer) const {
     return items_[item_of_[device][transfer]].period;
@@ -56,6 +60,7 @@ class TransferBounds {
     std::size_t rank = 0;     ///< 0 is the most urgent
     bool bounded = true;      ///< its bucket is ok
     bool arbitrated = false;  ///< on a bus that arbitrates frame by frame
+    Duration bit = {};        ///< there: nodes that begin within it arbitrate
     /// Identifiers of its first and last frame there; none: not known.
     std::optional<std::pair<std::int64_t, std::int64_t>> identifiers = std::nullopt;
     std::int64_t frames = 1;  ///< that it is sent in, all equally long

@@ -8,21 +8,6 @@
 namespace finemote::gen::timing {
 namespace {
 
-/// Whether any frame of ours goes over the bus.
-bool is_sent_on(const Model& model, BusPlace place) {
-  const auto is_ours = [&](const Transfer& t) { return t.bus == place && t.after != Transfer::After::autonomous; };
-  return std::any_of(model.flushes.begin(), model.flushes.end(), [&](const Flush& f) { return f.bus == place; }) ||
-         std::any_of(model.devices.begin(), model.devices.end(),
-                     [&](const Device& d) { return std::any_of(d.transfers.begin(), d.transfers.end(), is_ours); });
-}
-
-/// Where frames arbitrate, one of a part may wait for one of ours that comes up to a bit later: both wait for the same
-/// bit to begin.
-Duration same_bit(const Model& model, BusPlace place) {
-  const Bus& bus = model.buses[place];
-  return bus.arbitrated && is_sent_on(model, place) ? ceil_div(seconds(1), bus.baud_bps) : Duration::zero();
-}
-
 /// Whether this transfer can bring a sample: one that reads. Where none is known to, as of a model in a file, any that
 /// carries no command, or all where nothing is asked for in update().
 bool measures(const Device& device, const Transfer& transfer) {
@@ -179,9 +164,10 @@ std::optional<Duration> WireAnalysis::streamed(Rank from) const {
   Duration wire;
   for (std::size_t t = 0; t < device.transfers.size(); ++t) {
     if (device.transfers[t].after != Transfer::After::autonomous) continue;
+    const BusPlace bus = device.transfers[t].bus;
     const auto bound = transfers_.arrival(from, t);
-    if (!bound) return std::nullopt;
-    wire = std::max(wire, *bound + same_bit(model_, device.transfers[t].bus));
+    if (!bound || (model_.buses[bus].arbitrated && !transfers_.all_leave(bus))) return std::nullopt;
+    wire = std::max(wire, *bound);
   }
   const Acquisition& a = *device.acquisition;
   return a.fixed + a.interval + wire + profile_.set.blocking;

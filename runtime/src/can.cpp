@@ -19,8 +19,6 @@ constexpr std::uint8_t kErrorPassive = 127;
 /// Above what the routine takes that puts frames into mailboxes.
 constexpr Duration kLongestRoutine = 20 * kMicrosecond;
 
-constexpr Time later(Time a, Time b) { return a < b ? b : a; }
-
 constexpr std::uint32_t bit_of(unsigned number) { return std::uint32_t{1} << number % 32; }
 
 /// Of the lowest bit that is set; `bits` is not 0.
@@ -67,6 +65,11 @@ CanSlot::Received CanSlot::received(unsigned entry) const {
   return inbox != nullptr ? inbox->received() : Received{};
 }
 
+/// The earliest that a frame was made which arrived then, on a bus that had been busy since.
+Time CanSlot::made(Time busy_since, Time arrival) const {
+  return waits_ == kAnyTime ? busy_since : latest(busy_since, arrival - waits_);
+}
+
 bool CanSlot::set_shared(const std::uint8_t* bytes) { return bus_->set_shared(*this, bytes); }
 
 bool CanSlot::send(const CanFrame& frame) {
@@ -97,7 +100,7 @@ void CanBus::on_frame(const CanFrame& frame, Moment arrival) {
   ++counters_.transfers;
   for (std::uint8_t i = 0; i < count_; ++i) {
     for (CanInbox* inbox = &slots_[i]->inbox_; inbox != nullptr; inbox = inbox->next_) {
-      if (inbox->ids_.hold(frame.id)) return inbox->store(frame, later(since, arrival.earliest - slots_[i]->waits_));
+      if (inbox->ids_.hold(frame.id)) return inbox->store(frame, slots_[i]->made(since, arrival.earliest));
     }
   }
   ++counters_.lost;  // a filter lets more through than is wanted

@@ -20,8 +20,6 @@ constexpr Duration kEventSlack = 2 * kMicrosecond;
 constexpr int kDeviationScale = 28;
 constexpr std::int64_t kClockDeviation = ((std::int64_t{1} << kDeviationScale) + 21) / 22;
 
-constexpr Time later(Time a, Time b) { return a < b ? b : a; }
-
 /// Start bit, data, parity, stop bits.
 constexpr int bits_per_byte(UartFormat format) {
   switch (format) {
@@ -124,13 +122,13 @@ Time Uart::arrival(std::size_t behind) const {
   const std::uint32_t position = read_ - static_cast<std::uint32_t>(behind);
   const bool tells_silence = port_->tells_silence_after(position);
   const UartIdle idle = port_->idle();
-  const Time known = later(earliest(idle_, position), later(earliest(seen_, position), earliest(before_, position)));
-  if (idle.received == position) return later(known, idle.at - wire_time(1));
-  if (idle_.received == position) return later(known, idle_.at - wire_time(1));
+  const Time known = latest(earliest(idle_, position), latest(earliest(seen_, position), earliest(before_, position)));
+  if (idle.received == position) return latest(known, idle.at - wire_time(1));
+  if (idle_.received == position) return latest(known, idle_.at - wire_time(1));
   const std::uint32_t more = seen_.received - position;
   const bool is_unbroken =
       tells_silence && more <= ring_.size && static_cast<std::int32_t>(idle_.received - position) < 0;
-  return is_unbroken ? later(known, seen_.at - longest_unseen(more)) : known;
+  return is_unbroken ? latest(known, seen_.at - longest_unseen(more)) : known;
 }
 
 Time Uart::began(std::size_t behind, std::size_t bytes) const { return arrival(behind) - longest(wire_time(bytes)); }

@@ -90,6 +90,15 @@ TEST_CASE_METHOD(Fixture, "a frame is no older than the longest that such frames
   CHECK(other.received().at == start - kLongestFrame);
 }
 
+TEST_CASE_METHOD(Fixture,
+                 "where nobody knows how long frames wait, one may have waited for as long as the bus was busy") {
+  const Time start = 10 * kMillisecond;
+  Time last = start;
+  for (; last < start + 3 * kSecond; last += 130 * kMicrosecond) bus.on_frame(frame(0x202, 1), at(last));
+  bus.on_frame(frame(0x201, 1), at(last));
+  CHECK(one.received().at == start - kLongestFrame);
+}
+
 TEST_CASE_METHOD(Fixture, "a frame may have waited for ours") {
   host::advance(10 * kMillisecond);
   const Time sent = now();

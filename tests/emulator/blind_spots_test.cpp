@@ -86,7 +86,7 @@ TEST_CASE("an actuator that is no leaf has to be judged where everything has to 
   CHECK((*motor)["wire"]["judged"] == "no-sample");
 }
 
-TEST_CASE("data that a device calls valid may not be older than acquire allows by what it says of them") {
+TEST_CASE("data that a device calls valid may not look older by their time stamp than such data can") {
   const auto far_from = [](const std::string& t_ns) {
     const TemporaryFolder folder;
     write_file(folder.path("far.json"), R"({"schema": "finemote.scenario/1", "events": [{"t_ns": )" + t_ns +

@@ -76,6 +76,38 @@ TEST_CASE("where late jobs could delay a frame for any time, it is dated by its 
   CHECK(timing_of(robot).stamped_ages[robot["m4"]]);
 }
 
+TEST_CASE("an answer that a device asks for on CAN is dated by no more than the time to the next one") {
+  const Robots robot("tests/emulator/bounds/asked_servo.urdf");
+  const Timing timing = timing_of(robot);
+  for (const Rank d : robot.model.devices.ids()) {
+    if (!timing.frame_waits[d]) continue;
+    CHECK(*timing.frame_waits[d] <= robot.model.devices[d].period);
+    CHECK(*timing.stamped_ages[d] > acquire_of(timing, d) + *timing.frame_waits[d]);
+  }
+}
+
+TEST_CASE("an edge is dated by the row of interrupts in which it was served") {
+  const Robots robot("tests/emulator/bounds/edges.urdf");
+  const Timing timing = timing_of(robot);
+  std::size_t edges = 0;
+  for (const Rank d : robot.model.devices.ids()) {
+    if (!robot.model.devices[d].acquisition || !robot.model.devices[d].transfers.empty()) continue;
+    ++edges;
+    CHECK(*timing.stamped_ages[d] >= acquire_of(timing, d) + robot.model.costs.event_entry);
+  }
+  CHECK(edges > 0);
+}
+
+TEST_CASE("a frame that is read before the silence behind it is dated by two bytes") {
+  const Robots robot = Robots::with(
+      R"(<bus name="line" type="uart" port="usart6" baud="460800baud"/><bus name="pwm" type="pwm" port="pwm1"/>
+         <device name="link" type="host_link" bus="line" period="10ms">
+         <device name="esc" type="pwm_esc" bus="pwm" channel="0"/></device>)");
+  const Timing timing = timing_of(robot);
+  const Rank link = robot["link"];
+  CHECK(*timing.stamped_ages[link] > acquire_of(timing, link) + floor_div(2 * 10 * 1_s, 460'800));
+}
+
 TEST_CASE("frames that may wait for as long as their part's interval have no bound, nor has the look of their data") {
   const Robots robot = motors(8);
   CHECK_FALSE(wait_of(robot, "m1"));

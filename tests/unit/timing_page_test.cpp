@@ -1,4 +1,5 @@
 // The table of costs in docs/timing.md has the figures of the chip's file, and leaves none out.
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -84,6 +85,22 @@ std::map<std::string, std::vector<std::string>> rows() {
 }
 
 }  // namespace
+
+TEST_CASE("the chip's file has what the ports date events by") {
+  const std::string source =
+      finemote::test::read(finemote::test::source_dir() + "/runtime/chips/cortex_m4/urgent_interrupt.cpp");
+  const auto constant = [&](const std::string& pattern) {
+    std::smatch found;
+    REQUIRE(std::regex_search(source, found, std::regex(pattern)));
+    std::string digits = found[1];
+    digits.erase(std::remove(digits.begin(), digits.end(), '\''), digits.end());
+    return std::stod(digits);
+  };
+  const auto figure = figures();
+  CHECK(std::stod(figure.at("costs.event_entry")) == constant(R"(Duration kEntry = ([\d']+);)"));
+  CHECK(std::stod(figure.at("costs.event_pause")) == Approx(constant(R"(kPause = (\d+);)") / 0.168).epsilon(0.005));
+  CHECK(std::stod(figure.at("costs.event_pause")) >= constant(R"(kPause = (\d+);)") / 0.168);
+}
 
 TEST_CASE("the table of costs in docs/timing.md has the figures of the chip's file") {
   const auto figure = figures();

@@ -17,7 +17,8 @@ inline constexpr Duration kNothingToBound = INT64_MAX - 1;
 /// Of one device, without the options FINEMOTE_TRACE and FINEMOTE_MONITOR.
 struct Bounds {
   Duration response;  ///< release to end of handle() [ns], or kUnproven
-  Duration age;       ///< of the oldest data behind its command, when handle() ends [ns], kUnproven or kNothingToBound
+  Duration age;       ///< of the oldest data behind its command, when handle() ends [ns], kUnproven or kNothingToBound;
+                      ///< the true one: by their `origin` they may look older
   Duration output;    ///< of the same data, when the last bit of the command is out [ns]; the same
 };
 

@@ -52,19 +52,19 @@ struct CanShare {
 /// One device on a CAN bus: the last frames it sent to us, its part of a shared frame, and one frame to send.
 class CanSlot {
  public:
+  static constexpr std::int32_t kAnyTime = INT32_MAX;  ///< nobody knows how long its frames wait
+
   /// @param bus       whose table names the slot
   /// @param id        the device's `id` in the URDF
   /// @param receives  identifiers of the frames it sends to us
-  /// @param waits     longest from when the device has such a frame until its last bit is on the bus, where the timing
-  ///                  analysis knows one that holds while every job meets its deadline [ns]
+  /// @param waits     no less than the longest from when the device has such a frame until its last bit is on the bus
+  ///                  [ns], as the timing analysis bounds it; kAnyTime; any where it receives none
   /// @param priority  0 is the most urgent: the index of the bucket, shortest period first
   /// @param share     its bytes in a command frame
   /// @param more      where frames with further identifiers are kept, in the order of its descriptor
   constexpr CanSlot(CanBus& bus, std::uint16_t id, CanIds receives, std::int32_t waits, std::uint8_t priority,
                     CanShare share = {}, CanInbox* more = nullptr)
       : bus_(&bus), id_(id), priority_(priority), share_(share), waits_(waits), inbox_(receives, more) {}
-  static constexpr std::int32_t kAnyTime = INT32_MAX;  ///< nobody knows how long frames wait
-
   using Received = CanInbox::Received;  ///< a frame, and when it was made
   /// The last frame received of entry `entry` of the descriptor's "receives", whole; of an entry it has not: none.
   /// Context: the device's bucket.
@@ -84,6 +84,8 @@ class CanSlot {
 
  private:
   friend class CanBus;
+  [[nodiscard]] Time made(Time busy_since, Time arrival) const;
+
   CanBus* const bus_;
   const std::uint16_t id_;
   const std::uint8_t priority_;

@@ -28,6 +28,9 @@ void busy(Duration work);
 /// The earlier of two times: the origin of a value made from both.
 constexpr Time oldest(Time a, Time b) { return a < b ? a : b; }
 
+/// The later of two times.
+constexpr Time latest(Time a, Time b) { return a < b ? b : a; }
+
 /// The earliest of several times.
 template <class... More>
 constexpr Time oldest(Time a, Time b, More... more) {
