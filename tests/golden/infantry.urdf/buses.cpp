@@ -9,12 +9,12 @@
 namespace infantry {
 
 namespace slots {
-FINEMOTE_CONSTINIT finemote::CanSlot front_left{wheel_can, 0x01, /*receives*/ 0x201, /*waits*/ 542742, /*priority*/ 2, /*shares*/ finemote::CanShare{0x200, 0, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot front_right{wheel_can, 0x02, /*receives*/ 0x202, /*waits*/ 679113, /*priority*/ 2, /*shares*/ finemote::CanShare{0x200, 2, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot rear_left{wheel_can, 0x03, /*receives*/ 0x203, /*waits*/ 815484, /*priority*/ 2, /*shares*/ finemote::CanShare{0x200, 4, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot rear_right{wheel_can, 0x04, /*receives*/ 0x204, /*waits*/ 815484, /*priority*/ 2, /*shares*/ finemote::CanShare{0x200, 6, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot yaw{gimbal_can, 0x01, /*receives*/ 0x205, /*waits*/ 542742, /*priority*/ 0, /*shares*/ finemote::CanShare{0x1fe, 0, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot pitch{gimbal_can, 0x02, /*receives*/ 0x206, /*waits*/ 542742, /*priority*/ 0, /*shares*/ finemote::CanShare{0x1fe, 2, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot front_left{wheel_can, 0x01, /*receives*/ 0x201, /*waits*/ 543742, /*priority*/ 2, /*shares*/ finemote::CanShare{0x200, 0, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot front_right{wheel_can, 0x02, /*receives*/ 0x202, /*waits*/ 680113, /*priority*/ 2, /*shares*/ finemote::CanShare{0x200, 2, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot rear_left{wheel_can, 0x03, /*receives*/ 0x203, /*waits*/ 816484, /*priority*/ 2, /*shares*/ finemote::CanShare{0x200, 4, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot rear_right{wheel_can, 0x04, /*receives*/ 0x204, /*waits*/ 816484, /*priority*/ 2, /*shares*/ finemote::CanShare{0x200, 6, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot yaw{gimbal_can, 0x01, /*receives*/ 0x205, /*waits*/ 543742, /*priority*/ 0, /*shares*/ finemote::CanShare{0x1fe, 0, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot pitch{gimbal_can, 0x02, /*receives*/ 0x206, /*waits*/ 543742, /*priority*/ 0, /*shares*/ finemote::CanShare{0x1fe, 2, 2}};
 FINEMOTE_CONSTINIT finemote::SpiSlot imu{imu_spi, 0x00, /*priority*/ 0};
 FINEMOTE_CONSTINIT finemote::SpiSlot imu_gyro{imu_spi, 0x01, /*priority*/ 0};
 }  // namespace slots

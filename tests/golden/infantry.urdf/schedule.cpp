@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 197156, finemote::kNothingToBound, nullptr},  // imu
-    {0, 191104, 29013574, &gimbal::yaw.command},  // yaw
-    {0, 183766, 29006236, &gimbal::pitch.command},  // pitch
-    {1, 238145, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 311186, 27133556, &chassis::front_left.command},  // front_left
-    {2, 304105, 27126475, &chassis::front_right.command},  // front_right
-    {2, 296951, 27119321, &chassis::rear_left.command},  // rear_left
-    {2, 289870, 27112240, &chassis::rear_right.command},  // rear_right
-    {2, 282783, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 392395, finemote::kNothingToBound, nullptr},  // remote
+    {0, 197464, finemote::kNothingToBound, nullptr},  // imu
+    {0, 191412, 29189051, &gimbal::yaw.command},  // yaw
+    {0, 184039, 29181678, &gimbal::pitch.command},  // pitch
+    {1, 238500, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 311685, 27309224, &chassis::front_left.command},  // front_left
+    {2, 304568, 27302107, &chassis::front_right.command},  // front_right
+    {2, 297444, 27294983, &chassis::rear_left.command},  // rear_left
+    {2, 290261, 27287800, &chassis::rear_right.command},  // rear_right
+    {2, 283138, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 392941, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

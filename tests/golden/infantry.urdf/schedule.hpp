@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 187.718 us of its release.
+/// a job ends within 188.026 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 201.896 us of its release.
+/// a job ends within 202.204 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 273.036 us of its release.
+/// a job ends within 273.535 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 347.393 us of its release.
+/// a job ends within 347.939 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{183956, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{180604, 28444857, 28802791};
-inline constexpr finemote::Bounds pitch{175965, 28440218, 28802791};
-inline constexpr finemote::Bounds gimbal{201896, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{271518, 26535671, 26937899};
-inline constexpr finemote::Bounds front_right{267137, 26531290, 26937899};
-inline constexpr finemote::Bounds rear_left{262750, 26526903, 26937899};
-inline constexpr finemote::Bounds rear_right{258368, 26522521, 26937898};
-inline constexpr finemote::Bounds chassis{253981, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{347393, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{184264, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{180912, 28445165, 28803218};
+inline constexpr finemote::Bounds pitch{176238, 28440491, 28803218};
+inline constexpr finemote::Bounds gimbal{202204, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{272017, 26536170, 26938636};
+inline constexpr finemote::Bounds front_right{267600, 26531753, 26938636};
+inline constexpr finemote::Bounds rear_left{263177, 26527330, 26938636};
+inline constexpr finemote::Bounds rear_right{258759, 26522912, 26938635};
+inline constexpr finemote::Bounds chassis{254336, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{347939, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -9,12 +9,12 @@
 namespace six_joint_arm {
 
 namespace slots {
-FINEMOTE_CONSTINIT finemote::CanSlot base{arm_can, 0x01, /*receives*/ 0x201, /*waits*/ 542742, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 0, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot shoulder{arm_can, 0x02, /*receives*/ 0x202, /*waits*/ 679113, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 2, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot elbow{arm_can, 0x03, /*receives*/ 0x203, /*waits*/ 679113, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 4, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot wrist_roll{wrist_can, 0x01, /*receives*/ 0x201, /*waits*/ 542742, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 0, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot wrist_pitch{wrist_can, 0x02, /*receives*/ 0x202, /*waits*/ 679113, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 2, 2}};
-FINEMOTE_CONSTINIT finemote::CanSlot flange{wrist_can, 0x03, /*receives*/ 0x203, /*waits*/ 679113, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 4, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot base{arm_can, 0x01, /*receives*/ 0x201, /*waits*/ 543742, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 0, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot shoulder{arm_can, 0x02, /*receives*/ 0x202, /*waits*/ 680113, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 2, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot elbow{arm_can, 0x03, /*receives*/ 0x203, /*waits*/ 680113, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 4, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot wrist_roll{wrist_can, 0x01, /*receives*/ 0x201, /*waits*/ 543742, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 0, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot wrist_pitch{wrist_can, 0x02, /*receives*/ 0x202, /*waits*/ 680113, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 2, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot flange{wrist_can, 0x03, /*receives*/ 0x203, /*waits*/ 680113, /*priority*/ 0, /*shares*/ finemote::CanShare{0x200, 4, 2}};
 }  // namespace slots
 
 namespace {

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 362433, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 259486, 29155432, &arm::base.command},  // base
-    {0, 252405, 29148351, &arm::shoulder.command},  // shoulder
-    {0, 245318, 29141264, &arm::elbow.command},  // elbow
-    {0, 238236, 29134182, &arm::wrist_roll.command},  // wrist_roll
-    {0, 213500, 29109446, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 206419, 29102365, &arm::flange.command},  // flange
-    {0, 193710, finemote::kNothingToBound, nullptr},  // arm
+    {1, 362977, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 259984, 29420973, &arm::base.command},  // base
+    {0, 252867, 29413855, &arm::shoulder.command},  // shoulder
+    {0, 245744, 29406732, &arm::elbow.command},  // elbow
+    {0, 238626, 29399614, &arm::wrist_roll.command},  // wrist_roll
+    {0, 213808, 29374796, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 206691, 29367679, &arm::flange.command},  // flange
+    {0, 193946, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace
