@@ -63,6 +63,9 @@ class EarlyStamps {
     const auto arbitrates = [&](const Transfer& t) { return is_arbitrated_answer(model_, t); };
     const auto comes = [&](const Transfer& t) { return t.after == Transfer::After::autonomous && t.receive; };
     const bool has_frames = std::any_of(all.begin(), all.end(), arbitrates);
+    const bool is_asked_alone =
+        device.acquisition->periods > 0 && !has_frames && std::none_of(all.begin(), all.end(), comes);
+    if (is_asked_alone) return Duration::zero();  // dated by when it asks
     if (!row_ || (has_frames && !waits_[d])) return std::nullopt;
     Duration early = has_frames ? *waits_[d] : Duration::zero();
     if (std::any_of(all.begin(), all.end(), comes)) early = std::max(early, early_on_line(model_, device));

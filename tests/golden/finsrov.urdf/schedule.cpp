@@ -78,14 +78,14 @@ constexpr finemote::Monitored kMonitored[] = {
     {1, 957788, finemote::kNothingToBound, nullptr},  // baro_2
     {1, 955022, finemote::kNothingToBound, nullptr},  // baro_3
     {1, 944228, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 941528, 31794453, &rov::thruster_1.command},  // thruster_1
-    {1, 936886, 31789812, &rov::thruster_2.command},  // thruster_2
-    {1, 932179, 31782507, &rov::thruster_3.command},  // thruster_3
-    {1, 927538, 31777861, &rov::thruster_4.command},  // thruster_4
-    {1, 920228, 31773148, &rov::thruster_5.command},  // thruster_5
-    {1, 915592, 31768513, &rov::thruster_6.command},  // thruster_6
-    {1, 910885, 31761208, &rov::thruster_7.command},  // thruster_7
-    {1, 906244, 31751075, &rov::thruster_8.command},  // thruster_8
+    {1, 941528, 31255064, &rov::thruster_1.command},  // thruster_1
+    {1, 936886, 31250423, &rov::thruster_2.command},  // thruster_2
+    {1, 932179, 31243118, &rov::thruster_3.command},  // thruster_3
+    {1, 927538, 31238472, &rov::thruster_4.command},  // thruster_4
+    {1, 920228, 31233759, &rov::thruster_5.command},  // thruster_5
+    {1, 915592, 31229124, &rov::thruster_6.command},  // thruster_6
+    {1, 910885, 31221819, &rov::thruster_7.command},  // thruster_7
+    {1, 906244, 31211686, &rov::thruster_8.command},  // thruster_8
     {1, 898939, finemote::kNothingToBound, nullptr},  // rov
 };
 
