@@ -43,7 +43,7 @@ PAGES = [
     ("bench", "The bench", ["bench/finemote/bench/bench.hpp", "bench/finemote/bench/checks.hpp"] + [
         WIRES + name for name in ("uart_wire.hpp", "i2c_wire.hpp", "spi_wire.hpp", "can_wire.hpp", "pins.hpp",
                                   "i2c_parts.hpp", "h30_part.hpp")]),
-    ("ports", "Ports", [FINEMOTE + "ports.hpp"]),
+    ("ports", "Ports", [FINEMOTE + "ports.hpp", FINEMOTE + "moment.hpp"]),
 ]
 # What names of these kinds mean is said where they are listed.
 SELF_EXPLANATORY = {"State", "Command"}

@@ -98,6 +98,7 @@ bool CanBus::quiet() {
 void CanBus::on_frame(const CanFrame& frame, Moment arrival) {
   const Time since = busy_since(arrival);
   ++counters_.transfers;
+  if (arrival.before_start()) return;
   for (std::uint8_t i = 0; i < count_; ++i) {
     for (CanInbox* inbox = &slots_[i]->inbox_; inbox != nullptr; inbox = inbox->next_) {
       if (inbox->ids_.hold(frame.id)) return inbox->store(frame, slots_[i]->made(since, arrival.earliest));

@@ -102,3 +102,11 @@ TEST_CASE("all frames that came since the last look are taken, and the last of t
       {"run", source_path("tests/emulator/bounds/slow_reader.urdf"), "--duration", "600ms", "--phases", "2"});
   CHECK(run["claims"].at(0)["judged"] == "held");
 }
+
+TEST_CASE("data of a serial line look as old as such data can, whatever their part says on another bus") {
+  const Json run = finemote_json({"run", source_path("tests/emulator/bounds/talking_imu.urdf"), "--duration", "300ms",
+                                  "--phases", "4", "--seed", "3"});
+  const Json& claim = run["claims"].at(0);
+  CHECK(claim["judged"] == "held");
+  CHECK(claim["age_max_ns"] > 4'000'000);  // above what it would be held to as data of the CAN bus
+}

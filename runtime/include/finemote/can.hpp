@@ -123,7 +123,8 @@ class CanBus {
   template <typename Accept>
   void each_ids(Accept&& accept) const;
   /// A frame arrived. It may have waited for as long as the bus had been busy without a pause, or for as long as such
-  /// frames wait at most: then it was made at the earliest, and that is the time it is kept with. Context: interrupt.
+  /// frames wait at most: then it was made at the earliest, and that is the time it is kept with. One that came before
+  /// the first release is not kept: its age is not known. Context: interrupt.
   void on_frame(const CanFrame& frame, Moment arrival);
   /// A pended interrupt, or a mailbox that fell free. Context: interrupt.
   void on_interrupt();

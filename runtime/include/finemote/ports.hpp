@@ -12,15 +12,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "finemote/moment.hpp"
 #include "finemote/time.hpp"
 
 namespace finemote {
-
-/// When an event happened that an interrupt tells of: the routine may have waited for others.
-struct Moment {
-  Time earliest = kLongAgo;  ///< kLongAgo where it may have been before the first release
-  Time latest = 0;           ///< when the routine looked
-};
 
 class I2cBus;
 class SpiBus;
