@@ -37,7 +37,8 @@ endfunction()
 
 # How everything is compiled for a board. Build types make no difference where there is a chip: -Os stands behind their -O3.
 function(finemote_compile_options target board chips optimize)
-  set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+  set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF
+                        UNITY_BUILD OFF INTERPROCEDURAL_OPTIMIZATION OFF)  # bounds are of files compiled one by one
   target_include_directories(${target} SYSTEM PRIVATE ${FINEMOTE_ROOT}/runtime/include
                              ${FINEMOTE_ROOT}/runtime/boards/${board}/generated ${FINEMOTE_ROOT})
   if(NOT chips)

@@ -22,7 +22,7 @@
 # DURATION     a number and s, ms, us or ns: the run ends by itself (boards qemu_f405 and host); without it: forever
 # DEFINITIONS, INCLUDES, SOURCES   for the compiler; with INPUT the folders of the robot's own descriptors are known
 # WITHOUT      files of the runtime's start-up that SOURCES stand in for: main.cpp, trace.cpp
-# OPTIMIZE     -Os without it
+# OPTIMIZE     -Os without it; a timing file is of -Os
 # STACK        bytes that a board with a chip reserves for the stack, 4096 without it; `finemote run` proves how many it takes
 # CODE         where a board with a chip runs the code: `sram` where the board can, or `flash`; without it, with INPUT what the
 #              robot's <board> says (param `code`), else sram where the board can
@@ -38,6 +38,9 @@ unset(finemote_root)
 include(${CMAKE_CURRENT_LIST_DIR}/FinemoteCompile.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/FinemoteGenerate.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/FinemoteTargets.cmake)
+
+# Boards that stand in for that of a robot: what runs there is held to no bound.
+set(FINEMOTE_STAND_INS "host|qemu_f405" CACHE INTERNAL "")
 
 # "40ms" -> 40000000
 function(finemote_nanoseconds text result)
@@ -57,6 +60,10 @@ function(finemote_firmware_definitions result)
   cmake_parse_arguments(arg "TRACE;WATCH_BOUNDS" "DURATION" "DEFINITIONS" ${ARGN})
   set(definitions ${arg_DEFINITIONS})
   if(arg_DURATION)
+    if(NOT arg_BOARD MATCHES "^(${FINEMOTE_STAND_INS})$")
+      message(FATAL_ERROR "finemote_add_firmware(${target}): a run on board '${arg_BOARD}' does not end: DURATION is for "
+                          "host and qemu_f405")
+    endif()
     finemote_nanoseconds("${arg_DURATION}" duration)
     list(APPEND definitions FINEMOTE_RUN_DURATION_NS=${duration})
   endif()
@@ -150,7 +157,9 @@ function(finemote_add_firmware target)
     finemote_link_options(${target} ${arg_BOARD} "${arg_STACK}" ${code})
   endif()
   finemote_firmware_targets(${target} "${chips}" FLASH_BUDGET ${arg_FLASH_BUDGET} RAM_BUDGET ${arg_RAM_BUDGET})
-  if(arg_INPUT AND chips AND NOT arg_TRACE AND NOT arg_WATCH_BOUNDS)
+  if(arg_INPUT AND NOT arg_BOARD MATCHES "^(${FINEMOTE_STAND_INS})$" AND NOT arg_TRACE AND NOT arg_WATCH_BOUNDS)
+    finemote_code_place(robots_code ${target} ${arg_BOARD} "" "${robot_code}")
+    finemote_check_timed_options(${target} "${robot_words}" "${arg_OPTIMIZE}" "${code}" "${robots_code}")
     finemote_hold_to_timing_file(${target} "${robot_words}")
   endif()
 endfunction()

@@ -47,7 +47,8 @@ endfunction()
 function(finemote_files_beside input result)
   get_filename_component(folder ${input} DIRECTORY)
   finemote_timing_file_of(${input} times)
-  file(GLOB files CONFIGURE_DEPENDS ${folder}/finemote.json ${times})
+  string(REPLACE "[" "[[]" patterns "${folder}/finemote.json;${times}")
+  file(GLOB files CONFIGURE_DEPENDS ${patterns})
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
 
@@ -71,8 +72,12 @@ function(finemote_generate_in_build target words beside folder list)
                      COMMENT "Generating the sources of ${target}" VERBATIM)
   add_custom_target(${target}-generate DEPENDS ${manifest})
   finemote_strings("${list}" inputs inputs)
-  list(FILTER inputs EXCLUDE REGEX "^${FINEMOTE_ROOT}/")  # these change with the program
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${inputs})
+  foreach(file ${inputs})
+    string(FIND "${file}" "${FINEMOTE_ROOT}/" at)
+    if(NOT at EQUAL 0)  # those change with the program
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    endif()
+  endforeach()
 endfunction()
 
 # Sources that lie in `folder`, as its manifest lists them; the test NAME-check holds them to the robot.
@@ -97,6 +102,21 @@ function(finemote_use_committed target words folder result)
   add_custom_target(${target}-generate COMMAND ${program} generate ${words} -o ${folder} VERBATIM)
   add_test(NAME ${target}-check COMMAND ${program} check ${words} -o ${folder})
   set(${result} ${files} PARENT_SCOPE)
+endfunction()
+
+# A timing file bounds the image that `finemote wcet` builds: options that make another one are refused beside it.
+function(finemote_check_timed_options target words optimize code robots_code)
+  list(GET words 0 input)
+  finemote_timing_file_of(${input} times)
+  if(NOT EXISTS ${times})
+    return()
+  elseif(NOT optimize STREQUAL "-Os")
+    message(FATAL_ERROR "finemote_add_firmware(${target}): ${times} bounds the code of -Os, not of ${optimize}: leave out "
+                        "OPTIMIZE, or remove that file and the proof of these times")
+  elseif(NOT code STREQUAL robots_code)
+    message(FATAL_ERROR "finemote_add_firmware(${target}): ${times} bounds code in ${robots_code}, not in ${code}: instead of CODE "
+                        "write <param name=\"code\">${code}</param> into the robot's <board>, and bound it anew")
+  endif()
 endfunction()
 
 # After linking: no stage may take longer than the robot's timing file says, where it has one (docs/wcet.md).
@@ -131,6 +151,12 @@ function(finemote_sources_of_input target)
     set(arg_OUTPUT_DIR ${CMAKE_CURRENT_BINARY_DIR}/${target}.generated)
   endif()
   get_filename_component(folder ${arg_OUTPUT_DIR} ABSOLUTE)
+  get_property(other GLOBAL PROPERTY "FINEMOTE_SOURCES_IN ${folder}")
+  if(other AND NOT other STREQUAL input)
+    message(FATAL_ERROR "finemote_add_firmware(${target}): the sources in ${folder} are those of ${other}; give each robot an "
+                        "OUTPUT_DIR of its own")
+  endif()
+  set_property(GLOBAL PROPERTY "FINEMOTE_SOURCES_IN ${folder}" ${input})
   if(arg_COMMITTED)
     finemote_use_committed(${target} "${words}" ${folder} generated)
   else()
@@ -149,7 +175,8 @@ function(finemote_sources_of_input target)
   set(robot_words ${words} PARENT_SCOPE)
   finemote_strings("${list}" include_dirs folders)
   foreach(own ${folders})
-    file(GLOB sources ${own}/*.cpp)
+    string(REPLACE "[" "[[]" pattern "${own}")  # no pattern: a folder may be called so
+    file(GLOB sources "${pattern}/*.cpp")
     list(APPEND arg_SOURCES ${sources})
   endforeach()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folders})  # sources that come and go

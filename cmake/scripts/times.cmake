@@ -87,6 +87,6 @@ if(gaps GREATER 0 AND gaps_before EQUAL 0)
 endif()
 if(mistakes)
   list(GET WORDS 0 input)
-  message(FATAL_ERROR "this image is slower than ${TIMES} says:\n${mistakes}"
+  message(FATAL_ERROR "this image does not keep to ${TIMES}:\n${mistakes}"
                       "make the code faster, or bound it anew and look at the difference: finemote wcet ${input} -o ${TIMES}")
 endif()

@@ -8,13 +8,20 @@
 #include "generator/cli/data_dir.hpp"
 #include "generator/cli/new_project.hpp"
 #include "generator/cli/settings.hpp"
+#include "generator/cli/shell_word.hpp"
 #include "generator/scaffold/new_files.hpp"
 
 namespace finemote::gen {
 namespace {
 
-/// --from and --example name a robot that says everything itself.
+/// --from and --example name a robot that says everything itself. The project builds firmware for a chip.
 bool is_usable(const Options& options, Diagnostics& diagnostics) {
+  if (options.board == "host") {
+    diagnostics.error(code::usage, {}, "board 'host' is this computer, and the project builds firmware for a chip")
+        .hint(
+            "name the robot's board; finemote_add_firmware(... BOARD host) builds its sources for this computer, too");
+    return false;
+  }
   const bool has_robot = !(options.from + options.example).empty();
   if (options.arguments.empty() && !(has_robot && !options.board.empty())) return true;
   diagnostics.error(code::usage, {}, "init takes no name:=value, and --board only for the robot that it writes itself")
@@ -46,7 +53,7 @@ Answer answer_of(const Options& options, const NewProject& project) {
   answer.text += fmt::format(
       "\nNext, for example:\n  cd {}\n  finemote run src/{}\n"
       "  cmake --preset firmware && cmake --build --preset firmware\n",
-      options.input, project.robot_file);
+      shell_word(options.input), project.robot_file);
   answer.document = {{"schema", "finemote.init/1"}, {"output", options.input}, {"written", names_of(project)}};
   return answer;
 }

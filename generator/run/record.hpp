@@ -152,7 +152,7 @@ struct RunRecord {
   SiliconChoice silicon;                        ///< which freedom of its manual the emulated chip used
   std::vector<Violation> violated;              ///< by the scenario: bounds that rest on them need not hold
   std::optional<Duration> violated_from;        ///< before that all have to; none: they have to for ever
-  bool has_events = false;                      ///< a scenario made things happen, so lines may bring anything
+  bool sends_text = false;                      ///< a scenario did, of any length, so lines may bring anything
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
   std::vector<FaultCount> faults;               ///< in the order of their first times
   std::vector<FaultCount> late_faults;          ///< of these, counted after the bring-up and before `violated_from`

@@ -6,7 +6,7 @@ namespace finemote::gen {
 namespace {
 
 /// Releases of one bucket, each of which has its job: in their order, but where overruns were counted or the board
-/// began anew, whose releases have none.
+/// began anew, whose releases have none. A board that begins anew counts its periods from another time on.
 class Releases {
  public:
   Releases(Duration period, bool has_all_jobs) : period_(period), has_all_jobs_(has_all_jobs) {}
@@ -35,12 +35,13 @@ struct Responses {
 Responses responses(const RunRecord& record, const std::vector<StageRun>& runs, Releases releases) {
   Responses all;
   for (const StageRun& run : runs) {
+    if (record.scripted_resets > 0 && run.end >= record.violated_from) break;  // nobody knows when it was released
     const Duration release = releases.take(run.begin);
     if (run.begin >= record.ready) all.seen.push_back(record.true_time(run.end - release));
   }
   const Duration end = record.ready + record.judged_for;
   const auto next = releases.next();
-  if (next && end > *next) all.open = record.true_time(end - *next);
+  if (next && end > record.ready && end > *next) all.open = record.true_time(end - *next);
   return all;
 }
 

@@ -64,7 +64,9 @@ void print_summary(const RunResult& result, std::ostream& out) {
   const std::vector<ExpectationRecord>& expected = result.record.expectations;
   const auto met = std::count_if(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return e.ok; });
   if (!expected.empty()) out << fmt::format("{} of {} expectations of the scenario were met\n", met, expected.size());
-  out << fmt::format("overruns {}, resets {}\n", result.overruns(), result.record.resets);
+  const unsigned scripted = result.record.scripted_resets;
+  out << fmt::format("overruns {}, resets {}{}\n", result.overruns(), result.record.resets,
+                     scripted > 0 ? fmt::format(" beside {} of the scenario", scripted) : "");
   if (result.schedulable)
     out << fmt::format("schedulable: {} (finemote analyze)\n", *result.schedulable ? "yes" : "no");
   for (const FaultCount& fault : result.record.faults)

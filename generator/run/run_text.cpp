@@ -218,7 +218,9 @@ void print_unjudged(const RunResult& result, std::ostream& out) {
   for (const MeasuredResponse& r : result.figures.responses) add(name_of(result, r.device), r, kResponseFigures);
   for (const MeasuredClaim& claim : result.figures.claims) {
     if (claim.age.judged() == Judgement::no_sample)
-      lines += fmt::format("  {:<{}} its data (never seen to be valid)\n", name_of(result, claim.device), width);
+      lines +=
+          fmt::format("  {:<{}} its data ({})\n", name_of(result, claim.device), width,
+                      result.record.scripted_resets > 0 ? "not looked at behind a reset" : "never seen to be valid");
   }
   if (!lines.empty()) out << "\nnot judged\n" << lines;
 }
@@ -235,7 +237,8 @@ std::string declared_text(const std::vector<MeasuredTraffic>& all, BusId bus) {
   const MeasuredTraffic* found = find_traffic(all, bus);
   if (found == nullptr || !found->sent.most) return "";
   Duration most = *found->sent.most;
-  if (found->received) most = std::max(most, found->received->most.value_or(most));
+  if (found->received && !found->received->most) return "";
+  if (found->received) most = std::max(most, *found->received->most);
   const double share =
       static_cast<double>(most.ns()) / static_cast<double>(std::max(found->window, nanoseconds(1)).ns());
   return fmt::format(", declared {:.1f} % at most", 100 * share);

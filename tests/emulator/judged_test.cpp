@@ -183,3 +183,27 @@ TEST_CASE("a routine that takes longer than the robot says of its bus is named, 
   CHECK(reports(run_json(with("2us"), 1), "FM6006"));
   CHECK_FALSE(reports(run_json(with("20us"), 0), "FM6006"));
 }
+
+TEST_CASE("a reset that a scenario asks for breaks no bound: behind it nobody knows when jobs were released") {
+  const TemporaryFolder folder;
+  write_file(folder.path("reset.json"),
+             R"({"schema": "finemote.scenario/1", "events": [{"t_ns": 1000000, "do": "reset"}]})");
+  const auto ran = finemote_json(
+      {"run", source_path("examples/discovery.urdf"), "--duration", "200ms", "--scenario", folder.path("reset.json")});
+  for (const auto& response : ran["responses"]) CHECK(response["judged"] == "no-sample");
+  const auto text = run_finemote(
+      {"run", source_path("examples/discovery.urdf"), "--duration", "200ms", "--scenario", folder.path("reset.json")});
+  CHECK(text.exit_status == 0);
+  CHECK(text.output.find("resets 0 beside 1 of the scenario") != std::string::npos);
+}
+
+TEST_CASE("an event that violates no assumption leaves what a line receives bounded") {
+  const TemporaryFolder folder;
+  write_file(folder.path("pin.json"),
+             R"({"schema": "finemote.scenario/1", "events": [{"t_ns": 50000000, "pin": "PA0", "do": "high"}]})");
+  const auto ran = finemote_json(
+      {"run", source_path("examples/discovery.urdf"), "--duration", "60ms", "--scenario", folder.path("pin.json")});
+  for (const auto& bus : ran["buses"]) {
+    if (bus["name"] == "imu_line") CHECK(bus["traffic"]["most_received_ns"] > 0);
+  }
+}
