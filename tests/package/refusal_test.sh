@@ -32,6 +32,13 @@ sed -i 's/robomaster_type_c/robomaster_type_d/' "$work/robot/rover.urdf.xacro"
 refuses "a robot with a mistake" "did you mean 'robomaster_type_c'.*no firmware can be made of this robot" configure_board robot
 project word 'finemote_add_firmware(p INPUT rover.urdf.xacro MONITOR)'
 refuses "an unknown word" "finemote_add_firmware(p): unknown 'MONITOR'" configure_board word
+project ends 'finemote_add_firmware(p INPUT rover.urdf.xacro DURATION 1s)'
+refuses "a run that does not end" "a run on board 'robomaster_type_c' does not end" configure_board ends
+project two 'finemote_add_firmware(p INPUT rover.urdf.xacro OUTPUT_DIR out)' 'finemote_add_firmware(q INPUT other.urdf.xacro OUTPUT_DIR out)'
+cp "$work/two/rover.urdf.xacro" "$work/two/other.urdf.xacro"
+refuses "two robots in one folder" "are those of .*rover.urdf.xacro; give each robot an OUTPUT_DIR of its own" configure_board two
+project 'with c++' 'finemote_add_firmware(p INPUT rover.urdf.xacro)'
+holds "a folder whose name is no pattern" configure_board 'with c++'
 project empty 'finemote_add_firmware(p TRACE)'
 refuses "no input" "needs INPUT, or GENERATED and BOARD" configure_board empty
 project version 'find_package(finemote 0.99 REQUIRED)'

@@ -39,6 +39,21 @@ cmp -s "$times" "$work/times" && fail "no release in $times"
 refuses "a longer release" "release can take [0-9]* ns, 5 ns are granted" ninja -C "$work/rover/build" rover.elf
 cp "$work/times" "$times"
 
+# They are of one image. Another one is refused before it is built, and one of a board that stands in is held to nothing.
+lists=$work/rover/CMakeLists.txt
+cp "$lists" "$work/lists"
+with() { sed "s/finemote_add_firmware(rover INPUT rover.urdf.xacro/& $*/" "$work/lists" >"$lists"; }
+with OPTIMIZE -O2
+grep -q 'OPTIMIZE -O2' "$lists" || fail "no firmware rover in $lists"
+refuses "another optimisation" "bounds the code of -Os, not of -O2: leave out OPTIMIZE" configure_board rover
+with CODE flash
+refuses "another place" 'bounds code in sram, not in flash: instead of CODE write <param name="code">flash</param>' \
+  configure_board rover
+with BOARD qemu_f405
+holds "a board that stands in" configure_board rover
+holds "an image for it" ninja -C "$work/rover/build" rover.elf
+cp "$work/lists" "$lists"
+
 # Nobody knows how often it runs.
 echo 'extern "C" void finemote_line_28() {}' > "$work/rover/devices/mine.cpp"
 refuses "bounds with an interrupt of nobody" "finemote_line_28.*nobody knows how often it runs" finemote wcet "$robot"
