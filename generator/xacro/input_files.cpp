@@ -40,7 +40,8 @@ const SourceFile* InputFiles::open_yaml(const std::string& file, const Position&
 
 std::vector<std::string> InputFiles::matching(const std::string& path, const std::string& specification,
                                               const Position& at, Warnings& warnings) {
-  if (path.find_first_of("*[?") == std::string::npos) return {path};
+  // The folder that it is relative to is no pattern, whatever it is called.
+  if (specification.find_first_of("*[?") == std::string::npos) return {path};
   files::Denial denial;
   auto files = sources_.access().match(path, folders_left_, denial);
   if (denial.is_outside) fail_outside(specification, denial, at);

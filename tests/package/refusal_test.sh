@@ -37,8 +37,9 @@ refuses "a run that does not end" "a run on board 'robomaster_type_c' does not e
 project two 'finemote_add_firmware(p INPUT rover.urdf.xacro OUTPUT_DIR out)' 'finemote_add_firmware(q INPUT other.urdf.xacro OUTPUT_DIR out)'
 cp "$work/two/rover.urdf.xacro" "$work/two/other.urdf.xacro"
 refuses "two robots in one folder" "are those of .*rover.urdf.xacro; give each robot an OUTPUT_DIR of its own" configure_board two
-project 'with c++' 'finemote_add_firmware(p INPUT rover.urdf.xacro)'
-holds "a folder whose name is no pattern" configure_board 'with c++'
+project 'in [a] c++' 'finemote_add_firmware(p INPUT rover.urdf.xacro)'
+holds "a folder whose name is no pattern" configure_board 'in [a] c++'
+grep -q 'devices/meter.cpp' "$work/in [a] c++/build/build.ninja" || fail "the robot's own sources are left out"
 project empty 'finemote_add_firmware(p TRACE)'
 refuses "no input" "needs INPUT, or GENERATED and BOARD" configure_board empty
 project version 'find_package(finemote 0.99 REQUIRED)'
