@@ -39,6 +39,9 @@ endfunction()
 function(finemote_compile_options target board chips optimize)
   set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF
                         UNITY_BUILD OFF INTERPROCEDURAL_OPTIMIZATION OFF)  # bounds are of files compiled one by one
+  foreach(type DEBUG RELEASE RELWITHDEBINFO MINSIZEREL)
+    set_target_properties(${target} PROPERTIES INTERPROCEDURAL_OPTIMIZATION_${type} OFF)
+  endforeach()
   target_include_directories(${target} SYSTEM PRIVATE ${FINEMOTE_ROOT}/runtime/include
                              ${FINEMOTE_ROOT}/runtime/boards/${board}/generated ${FINEMOTE_ROOT})
   if(NOT chips)

@@ -3,7 +3,7 @@
 # The words after `finemote generate` or `finemote check` that name the robot.
 function(finemote_robot_words result input board devices arguments)
   set(words ${input} --data-dir ${FINEMOTE_ROOT})
-  if(board AND NOT board MATCHES "^(host|qemu_f405)$")  # these run what was made for the robot's own board
+  if(board AND NOT board MATCHES "^(${FINEMOTE_STAND_INS})$")  # these run what was made for the robot's own board
     list(APPEND words --board ${board})
   endif()
   foreach(folder ${devices})
@@ -135,9 +135,8 @@ function(finemote_hold_to_timing_file target words)
 endfunction()
 
 # For finemote_add_firmware(NAME INPUT ...): sets generated_dir, generated, robot_code and robot_words, arg_BOARD where it is the robot's, and adds
-# what belongs to the robot's own device types to arg_INCLUDES and arg_SOURCES.
+# what belongs to the robot's own device types to arg_INCLUDES and arg_SOURCES. The arguments are those of the caller.
 function(finemote_sources_of_input target)
-  cmake_parse_arguments(arg "COMMITTED" "INPUT;BOARD;OUTPUT_DIR" "DEVICES;ARGS;INCLUDES;SOURCES" ${ARGN})
   if(NOT TARGET finemote::finemote)
     message(FATAL_ERROR "finemote_add_firmware(${target}): INPUT needs find_package(finemote)")
   endif()
@@ -152,11 +151,12 @@ function(finemote_sources_of_input target)
   endif()
   get_filename_component(folder ${arg_OUTPUT_DIR} ABSOLUTE)
   get_property(other GLOBAL PROPERTY "FINEMOTE_SOURCES_IN ${folder}")
-  if(other AND NOT other STREQUAL input)
-    message(FATAL_ERROR "finemote_add_firmware(${target}): the sources in ${folder} are those of ${other}; give each robot an "
+  list(JOIN words " " own_words)
+  if(other AND NOT other STREQUAL own_words)
+    message(FATAL_ERROR "finemote_add_firmware(${target}): the sources in ${folder} are those of '${other}'; give each robot an "
                         "OUTPUT_DIR of its own")
   endif()
-  set_property(GLOBAL PROPERTY "FINEMOTE_SOURCES_IN ${folder}" ${input})
+  set_property(GLOBAL PROPERTY "FINEMOTE_SOURCES_IN ${folder}" "${own_words}")
   if(arg_COMMITTED)
     finemote_use_committed(${target} "${words}" ${folder} generated)
   else()

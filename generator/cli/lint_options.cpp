@@ -42,10 +42,10 @@ Table<BusId, double> bus_loads(const Robot& robot, const timing::Timing& timing)
 /// By the time stamps of the data, which is what devices look at; where those have no bound, true ages.
 Table<DeviceId, std::optional<CommandAge>> command_ages(const PlannedRobot& planned, const timing::Timing& timing) {
   Table<DeviceId, std::optional<CommandAge>> ages(planned.robot.devices.size());
-  for (const auto* inputs : {&timing.inputs, &timing.stamped_inputs}) {
-    for (const timing::ChainResult& input : *inputs) {
+  for (const bool is_stamped : {false, true}) {
+    for (const timing::ChainResult& input : is_stamped ? timing.stamped_inputs : timing.inputs) {
       if (!input.age) continue;
-      ages[planned.forest.order[input.to]] = {*input.age, planned.forest.order[input.from]};
+      ages[planned.forest.order[input.to]] = {*input.age, planned.forest.order[input.from], is_stamped};
     }
   }
   return ages;

@@ -65,15 +65,17 @@ void report_command_age(const CheckedDevice& checked, const Param& param, Durati
     const bool fits = age.value <= Duration::max() - step;
     return units::format_duration(fits ? round_up(age.value, step) : age.value);
   };
-  findings
-      .add(checked.device,
-           fmt::format(
-               "data behind the commands of device '{}' can look {} old by their time stamps, and its '{}' is {}",
-               checked.device.name.text, rounded_up(microseconds(1)), param.spec->name, units::format_duration(most)))
-      .note("it goes to its safe output although nothing has failed")
-      .note(fmt::format("the oldest of these data come from '{}'", source.name.text), source.at)
-      .hint(fmt::format("allow <param name=\"{}\">{}</param> or more, or make the data fresher", param.spec->name,
-                        rounded_up(milliseconds(1))));
+  const std::string known = rounded_up(microseconds(1));
+  const std::string how_old = age.is_stamped ? fmt::format("can look {} old by their time stamps", known)
+                                             : fmt::format("can be {} old, and look older by any time", known);
+  Diagnostic& finding = findings.add(
+      checked.device, fmt::format("data behind the commands of device '{}' {}, and its '{}' is {}",
+                                  checked.device.name.text, how_old, param.spec->name, units::format_duration(most)));
+  finding.note("it goes to its safe output although nothing has failed")
+      .note(fmt::format("the oldest of these data come from '{}'", source.name.text), source.at);
+  finding.hint(age.is_stamped ? fmt::format("allow <param name=\"{}\">{}</param> or more, or make the data fresher",
+                                            param.spec->name, rounded_up(milliseconds(1)))
+                              : "make the data fresher, and their bus less busy");
 }
 
 }  // namespace

@@ -16,8 +16,9 @@ namespace finemote::gen {
 
 /// The oldest data behind a device's command, at the end of its handle().
 struct CommandAge {
-  Duration value;
-  DeviceId source;  ///< whose sample
+  Duration value;          ///< by time stamps, which devices look at; the true age where those have no bound
+  DeviceId source;         ///< whose sample
+  bool is_stamped = true;  ///< it is by time stamps
 };
 
 /// A bus, with what the timing analysis says of it.

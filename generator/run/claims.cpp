@@ -3,18 +3,6 @@
 #include "generator/run/samples.hpp"
 
 namespace finemote::gen {
-namespace {
-
-/// What its data may be old by their time stamp when its update() begins.
-std::optional<Duration> oldest_claim(const Forest& forest, const timing::Timing& timing, DeviceId device) {
-  for (const Rank d : timing.stamped_ages.ids()) {
-    if (forest.order[d] == device) return timing.stamped_ages[d];
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 std::vector<MeasuredClaim> measure_claims(const Robot& robot, const Forest& forest, const timing::Timing& timing,
                                           const RunRecord& record, const StageRuns& runs) {
   std::vector<MeasuredClaim> claims;
@@ -29,7 +17,7 @@ std::vector<MeasuredClaim> measure_claims(const Robot& robot, const Forest& fore
         ages.push_back(record.true_time(update->begin - picoseconds_up(*state.claimed_ps)));
     }
     claims.push_back(
-        {device, {summarize(leads), kClaimSlack}, {summarize(ages), oldest_claim(forest, timing, device)}});
+        {device, {summarize(leads), kClaimSlack}, {summarize(ages), timing.stamped_ages[forest.rank[device]]}});
   }
   return claims;
 }

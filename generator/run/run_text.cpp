@@ -218,9 +218,10 @@ void print_unjudged(const RunResult& result, std::ostream& out) {
   for (const MeasuredResponse& r : result.figures.responses) add(name_of(result, r.device), r, kResponseFigures);
   for (const MeasuredClaim& claim : result.figures.claims) {
     if (claim.age.judged() == Judgement::no_sample)
-      lines +=
-          fmt::format("  {:<{}} its data ({})\n", name_of(result, claim.device), width,
-                      result.record.scripted_resets > 0 ? "not looked at behind a reset" : "never seen to be valid");
+      lines += fmt::format("  {:<{}} its data ({})\n", name_of(result, claim.device), width,
+                           result.record.scripted_resets > 0 && result.record.violated_from < result.record.ready
+                               ? "not looked at behind a reset"
+                               : "never seen to be valid");
   }
   if (!lines.empty()) out << "\nnot judged\n" << lines;
 }

@@ -28,9 +28,9 @@ std::optional<Duration> longest_wait(const Model& model, const TransferBounds& t
   std::optional<Duration> longest;
   for (std::size_t t = 0; t < model.devices[device].transfers.size(); ++t) {
     if (!is_arbitrated_answer(model, model.devices[device].transfers[t])) continue;
-    if (!transfers.arrival(device, t) || !transfers.all_leave(model.devices[device].transfers[t].bus))
-      return std::nullopt;
-    const Duration wait = late.arrival(device, t).value_or(transfers.interval(device, t));
+    const auto bound = transfers.arrival(device, t);
+    if (!bound || !transfers.all_leave(model.devices[device].transfers[t].bus)) return std::nullopt;
+    const Duration wait = late.arrival(device, t).value_or(std::max(transfers.interval(device, t), *bound));
     longest = std::max(longest.value_or(Duration::zero()), wait);
   }
   return longest && *longest <= kMostHeld ? longest : std::nullopt;

@@ -39,10 +39,11 @@ Duration early_on_line(const Model& model, const Device& device) {
   bool has_gap = true;
   for (const Transfer& transfer : device.transfers) {
     if (!transfer.receive) continue;
-    two_bytes = 2 * ceil_div(kLongestByteBits * seconds(1), model.buses[transfer.bus].baud_bps);
+    const Duration least = 2 * ceil_div(kLongestByteBits * seconds(1), model.buses[transfer.bus].baud_bps);
+    two_bytes = std::max(two_bytes, least);
     all += transfer.wire;
     longest = std::max(longest, transfer.wire);
-    has_gap = has_gap && transfer.min_interval - transfer.wire > two_bytes;
+    has_gap = has_gap && transfer.min_interval - transfer.wire > least;
     ++kinds;
   }
   const Duration unseen = kinds == 1 && has_gap ? two_bytes : 2 * all + two_bytes;

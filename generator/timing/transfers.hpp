@@ -34,7 +34,7 @@ class TransferBounds {
   [[nodiscard]] std::optional<Duration> arrival(Rank device, std::size_t transfer) const;
   /// Whether every frame of ours has left its bus before the next one of its slot is handed over.
   [[nodiscard]] bool all_leave(BusPlace bus) const;
-  /// The shortest time from one hand-over to the next, which arrival() is never above.
+  /// The shortest time from one hand-over to the next, which arrival() is above by a bit at most.
   [[nodiscard]] Duration interval(Rank device, std::size_t transfer) const {
     return items_[item_of_[device][transfer]].period;
   }

@@ -65,6 +65,7 @@ class CanSlot {
   constexpr CanSlot(CanBus& bus, std::uint16_t id, CanIds receives, std::int32_t waits, std::uint8_t priority,
                     CanShare share = {}, CanInbox* more = nullptr)
       : bus_(&bus), id_(id), priority_(priority), share_(share), waits_(waits), inbox_(receives, more) {}
+
   using Received = CanInbox::Received;  ///< a frame, and when it was made
   /// The last frame received of entry `entry` of the descriptor's "receives", whole; of an entry it has not: none.
   /// Context: the device's bucket.

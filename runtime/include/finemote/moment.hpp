@@ -7,11 +7,11 @@ namespace finemote {
 
 /// When an event happened that an interrupt tells of: the routine may have waited for others.
 struct Moment {
-  Time earliest = kLongAgo;  ///< kLongAgo where it may have been before the first release
+  Time earliest = kLongAgo;  ///< kLongAgo where its routine ran before the first release
   Time latest = 0;           ///< when the routine looked
 
-  /// It may have been before the first release: nobody can say how long.
-  [[nodiscard]] constexpr bool before_start() const { return earliest == kLongAgo; }
+  /// Its routine ran before the first release: nobody can say how long.
+  [[nodiscard]] constexpr bool before_start() const { return latest == 0; }
 };
 
 }  // namespace finemote

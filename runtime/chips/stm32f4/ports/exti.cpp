@@ -50,12 +50,9 @@ bool EdgeHardware::is_pending() const { return exti::pr.any(stm32f4::bit(pin.num
 void EdgeHardware::on_interrupt() {
   const cortex_m4::UrgentInterrupt interrupt;
   exti::pr.write(stm32f4::bit(pin.number));  // rc_w1: 12.3.6
-  const Moment event = interrupt.event();
-  if (!event.before_start()) {
-    at = event.earliest;
-    Shared<std::uint32_t>::fence();
-    count.store(count.load() + 1);
-  }
+  at = interrupt.event().earliest;
+  Shared<std::uint32_t>::fence();
+  count.store(count.load() + 1);
   stm32f4::settle(exti::pr);
 }
 
