@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 197464, finemote::kNothingToBound, nullptr},  // imu
-    {0, 191412, 29189051, &gimbal::yaw.command},  // yaw
-    {0, 184039, 29181678, &gimbal::pitch.command},  // pitch
-    {1, 238500, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 311685, 27309224, &chassis::front_left.command},  // front_left
-    {2, 304568, 27302107, &chassis::front_right.command},  // front_right
-    {2, 297444, 27294983, &chassis::rear_left.command},  // rear_left
-    {2, 290261, 27287800, &chassis::rear_right.command},  // rear_right
-    {2, 283138, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 392941, finemote::kNothingToBound, nullptr},  // remote
+    {0, 197582, finemote::kNothingToBound, nullptr},  // imu
+    {0, 191530, 29189405, &gimbal::yaw.command},  // yaw
+    {0, 184157, 29182032, &gimbal::pitch.command},  // pitch
+    {1, 238677, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 311862, 27309637, &chassis::front_left.command},  // front_left
+    {2, 304745, 27302520, &chassis::front_right.command},  // front_right
+    {2, 297621, 27295396, &chassis::rear_left.command},  // rear_left
+    {2, 290438, 27288213, &chassis::rear_right.command},  // rear_right
+    {2, 283315, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 393177, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 188.026 us of its release.
+/// a job ends within 188.144 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 202.204 us of its release.
+/// a job ends within 202.322 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 273.535 us of its release.
+/// a job ends within 273.712 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 347.939 us of its release.
+/// a job ends within 348.175 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{184264, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{180912, 28445165, 28803218};
-inline constexpr finemote::Bounds pitch{176238, 28440491, 28803218};
-inline constexpr finemote::Bounds gimbal{202204, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{272017, 26536170, 26938636};
-inline constexpr finemote::Bounds front_right{267600, 26531753, 26938636};
-inline constexpr finemote::Bounds rear_left{263177, 26527330, 26938636};
-inline constexpr finemote::Bounds rear_right{258759, 26522912, 26938635};
-inline constexpr finemote::Bounds chassis{254336, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{347939, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{184382, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{181030, 28445283, 28803395};
+inline constexpr finemote::Bounds pitch{176356, 28440609, 28803395};
+inline constexpr finemote::Bounds gimbal{202322, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{272194, 26536347, 26938931};
+inline constexpr finemote::Bounds front_right{267777, 26531930, 26938931};
+inline constexpr finemote::Bounds rear_left{263354, 26527507, 26938931};
+inline constexpr finemote::Bounds rear_right{258936, 26523089, 26938930};
+inline constexpr finemote::Bounds chassis{254513, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{348175, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 362977, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 259984, 29420973, &arm::base.command},  // base
-    {0, 252867, 29413855, &arm::shoulder.command},  // shoulder
-    {0, 245744, 29406732, &arm::elbow.command},  // elbow
-    {0, 238626, 29399614, &arm::wrist_roll.command},  // wrist_roll
-    {0, 213808, 29374796, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 206691, 29367679, &arm::flange.command},  // flange
-    {0, 193946, finemote::kNothingToBound, nullptr},  // arm
+    {1, 363217, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 260165, 29421213, &arm::base.command},  // base
+    {0, 253047, 29414095, &arm::shoulder.command},  // shoulder
+    {0, 245924, 29406972, &arm::elbow.command},  // elbow
+    {0, 238806, 29399854, &arm::wrist_roll.command},  // wrist_roll
+    {0, 213928, 29374976, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 206811, 29367859, &arm::flange.command},  // flange
+    {0, 199687, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

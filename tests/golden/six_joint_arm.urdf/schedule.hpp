@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 234.029 us of its release.
+/// a job ends within 234.209 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 311.08 us of its release.
+/// a job ends within 311.26 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{311080, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{213488, 28893168, 29210473};
-inline constexpr finemote::Bounds shoulder{209071, 28888751, 29210474};
-inline constexpr finemote::Bounds elbow{204648, 28884328, 29210474};
-inline constexpr finemote::Bounds wrist_roll{200231, 28879911, 29210474};
-inline constexpr finemote::Bounds wrist_pitch{190186, 28869866, 29204852};
-inline constexpr finemote::Bounds flange{185769, 28865449, 29204852};
-inline constexpr finemote::Bounds arm{181346, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{311260, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{213608, 28893288, 29210653};
+inline constexpr finemote::Bounds shoulder{209191, 28888871, 29210654};
+inline constexpr finemote::Bounds elbow{204768, 28884448, 29210654};
+inline constexpr finemote::Bounds wrist_roll{200351, 28880031, 29210654};
+inline constexpr finemote::Bounds wrist_pitch{190306, 28869986, 29205032};
+inline constexpr finemote::Bounds flange{185889, 28865569, 29205032};
+inline constexpr finemote::Bounds arm{181466, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm
