@@ -36,7 +36,7 @@ project ends 'finemote_add_firmware(p INPUT rover.urdf.xacro DURATION 1s)'
 refuses "a run that does not end" "a run on board 'robomaster_type_c' does not end" configure_board ends
 project two 'finemote_add_firmware(p INPUT rover.urdf.xacro OUTPUT_DIR out)' 'finemote_add_firmware(q INPUT other.urdf.xacro OUTPUT_DIR out)'
 cp "$work/two/rover.urdf.xacro" "$work/two/other.urdf.xacro"
-refuses "two robots in one folder" "are those of .*rover.urdf.xacro; give each robot an OUTPUT_DIR of its own" configure_board two
+refuses "two robots in one folder" "are those of .*rover.urdf.xacro or of other arguments; give each robot an OUTPUT_DIR of its own" configure_board two
 project 'in [a] c++' 'finemote_add_firmware(p INPUT rover.urdf.xacro)'
 holds "a folder whose name is no pattern" configure_board 'in [a] c++'
 grep -q 'devices/meter.cpp' "$work/in [a] c++/build/build.ninja" || fail "the robot's own sources are left out"
