@@ -123,7 +123,7 @@ function(finemote_add_firmware target)
     finemote_sources_of_input(${target})  # sets arg_BOARD, robot_*, generated_dir, generated, and adds to the two below
   elseif(arg_GENERATED AND arg_BOARD)
     get_filename_component(generated_dir ${arg_GENERATED} ABSOLUTE)
-    string(REPLACE "[" "[[]" pattern "${generated_dir}")
+    finemote_glob_path("${generated_dir}" pattern)
     file(GLOB_RECURSE generated "${pattern}/*.cpp")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${generated_dir} ${generated_dir}/trees)
   else()

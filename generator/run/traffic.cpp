@@ -9,13 +9,11 @@
 #include "generator/model/connection.hpp"
 #include "generator/timing/traffic_limits.hpp"
 #include "generator/units/checked.hpp"
+#include "generator/units/slow_sender.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
-
-/// A sender is understood whose clock is off by one part in 22 at most (RM0090 30.3.5): its bytes take as much longer.
-constexpr Duration of_slow_sender(Duration wire) { return wire + ceil_div(wire, 22); }
 
 /// None: the numbers are too large.
 std::optional<Table<timing::BusPlace, timing::TrafficLimit>> limits_of(const timing::Model& model, Duration window) {

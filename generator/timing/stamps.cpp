@@ -4,7 +4,7 @@
 
 #include "generator/timing/demand.hpp"
 #include "generator/timing/frame_waits.hpp"
-#include "generator/timing/utilization.hpp"
+#include "generator/units/slow_sender.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -22,10 +22,6 @@ std::optional<Duration> longest_row(const Model& model, const TaskSet& set, Effo
   const Duration row = least_fit(demand, base, std::max(base, nanoseconds(1)), seconds(1));
   return row == kNever ? std::nullopt : std::optional(row);
 }
-
-/// The sender's bits are taken to be as long as they can be where they are understood: one part in 22 longer, RM0090
-/// 30.3.5.
-Duration with_slow_bits(Duration time) { return time + nanoseconds(ceil_div(time.ns(), std::int64_t{22})); }
 
 /// On a line of two: the firmware dates a frame by the silence behind it, and one that is read before that by two bytes
 /// and kEventSlack of uart.cpp. Where there may be no silence, as another frame follows at once, all bytes that came
@@ -47,7 +43,7 @@ Duration early_on_line(const Model& model, const Device& device) {
     ++kinds;
   }
   const Duration unseen = kinds == 1 && has_gap ? two_bytes : 2 * all + two_bytes;
-  return with_slow_bits(longest) - longest + with_slow_bits(unseen) + kEventSlack;
+  return of_slow_sender(longest) - longest + of_slow_sender(unseen) + kEventSlack;
 }
 
 /// How much earlier than the truth samples are dated at most.

@@ -77,13 +77,22 @@ TEST_CASE("where late jobs could delay a frame for any time, it is dated by its 
 }
 
 TEST_CASE("an answer that a device asks for on CAN is dated by no more than the time to the next one") {
-  const Robots robot("tests/emulator/bounds/asked_servo.urdf");
-  const Timing timing = timing_of(robot);
-  for (const Rank d : robot.model.devices.ids()) {
-    if (!timing.frame_waits[d]) continue;
-    CHECK(*timing.frame_waits[d] <= robot.model.devices[d].period);
-    CHECK(*timing.stamped_ages[d] > acquire_of(timing, d) + *timing.frame_waits[d]);
+  Robots robot = motors(2, "5ms");
+  const Rank m1 = robot["m1"];
+  timing::Device& device = robot.model.devices[m1];
+  device.acquisition->periods = 1;
+  for (Transfer& transfer : device.transfers) {
+    if (transfer.after != Transfer::After::autonomous) continue;
+    transfer.after = Transfer::After::update;
+    transfer.reads = true;
+    transfer.min_interval = {};
   }
+  const Timing timing = timing_of(robot);
+  REQUIRE(timing.frame_waits[m1]);
+  CHECK(*timing.frame_waits[m1] > 2 * 135_us);
+  CHECK(*timing.frame_waits[m1] <= device.period);
+  REQUIRE(timing.stamped_ages[m1]);
+  CHECK(*timing.stamped_ages[m1] > acquire_of(timing, m1) + *timing.frame_waits[m1]);
 }
 
 TEST_CASE("an edge is dated by the row of interrupts in which it was served") {
