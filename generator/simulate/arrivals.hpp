@@ -25,6 +25,10 @@ class Arrivals {
   void stage_ended(Rank device, bool is_update, Duration release, Duration now) {
     if (auto* caused = std::get_if<CausedArrivals>(&kind_)) caused->stage_ended(device, is_update, release, now);
   }
+  /// All handles of the bucket's job released at `release` have ended now.
+  void flush_began(std::size_t bucket, Duration release, Duration now) {
+    if (auto* caused = std::get_if<CausedArrivals>(&kind_)) caused->flush_began(bucket, release, now);
+  }
 
  private:
   using Kind = std::variant<ArrivalGenerator, CausedArrivals>;

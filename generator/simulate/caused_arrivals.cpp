@@ -20,14 +20,26 @@ Duration CausedArrivals::next() const { return planned_.empty() ? floor_div(Dura
 void CausedArrivals::stage_ended(Rank device, bool is_update, Duration release, Duration now) {
   for (std::size_t i = 0; i < stream_.budgets.size(); ++i) {
     const Budget& budget = stream_.budgets[i];
-    const bool asks = budget.cause == InterruptCause::look ? is_update : is_update == budget.in_update;
-    if (budget.device != device || !asks) continue;
-    if (budget.cause != InterruptCause::look && --jobs_left_[i] >= 0) continue;
-    jobs_left_[i] = budget.every - 1;
-    if (budget.cause == InterruptCause::look) planned_.clear();  // what the line did not use is lost
-    const Duration latest = latest_end(budget, release, now);
-    ask(budget, begin_of(budget, now, latest), latest);
+    const bool asks =
+        budget.cause == InterruptCause::look ? is_update : is_update == budget.in_update && !budget.in_flush;
+    if (budget.device == device && asks) raise(i, release, now);
   }
+}
+
+void CausedArrivals::flush_began(std::size_t bucket, Duration release, Duration now) {
+  for (std::size_t i = 0; i < stream_.budgets.size(); ++i) {
+    const Budget& budget = stream_.budgets[i];
+    if (budget.in_flush && set_.bucket_of[budget.device] == bucket) raise(i, release, now);
+  }
+}
+
+void CausedArrivals::raise(std::size_t index, Duration release, Duration now) {
+  const Budget& budget = stream_.budgets[index];
+  if (budget.cause != InterruptCause::look && --jobs_left_[index] >= 0) return;
+  jobs_left_[index] = budget.every - 1;
+  if (budget.cause == InterruptCause::look) planned_.clear();  // what the line did not use is lost
+  const Duration latest = latest_end(budget, release, now);
+  ask(budget, begin_of(budget, now, latest), latest);
 }
 
 /// At once, as late as all of them fit, or between.

@@ -9,8 +9,8 @@
 
 namespace finemote::gen {
 
-/// Requests come at once when a stage ends that asks; transfers until what was asked for has ended, or until the next
-/// release where nobody knows when that is; of a line, so many come from one look to the next.
+/// Requests come at once when a stage ends that asks, or a flush begins; transfers until what was asked for has ended,
+/// or until the next release where nobody knows when that is; of a line, so many come from one look to the next.
 class CausedArrivals {
  public:
   /// Everything must outlive this.
@@ -26,8 +26,11 @@ class CausedArrivals {
 
   /// A stage of the job released at `release` has ended now.
   void stage_ended(Rank device, bool is_update, Duration release, Duration now);
+  /// All handles of the bucket's job released at `release` have ended now.
+  void flush_began(std::size_t bucket, Duration release, Duration now);
 
  private:
+  void raise(std::size_t budget, Duration release, Duration now);
   [[nodiscard]] Duration begin_of(const timing::Stream::Budget& budget, Duration now, Duration latest);
   void ask(const timing::Stream::Budget& budget, Duration from, Duration latest);
   [[nodiscard]] Duration latest_end(const timing::Stream::Budget& budget, Duration release, Duration now) const;

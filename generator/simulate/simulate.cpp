@@ -191,6 +191,9 @@ class Simulator {
     job.piece_begin = now_;
     if (job.begin < Duration::zero()) job.begin = now_;
     const bool is_update = pieces.is_update(job.piece);
+    if (pieces.is_last(job.piece) && !pieces.is_handle(job.piece)) {
+      for (Arrivals& a : arrivals_) a.flush_began(w, job.release, now_);
+    }
     if (!is_update && !pieces.is_handle(job.piece)) {
       job.left = lengths_.draw({}, pieces.worst(job.piece));
       return;

@@ -84,11 +84,11 @@ class FlushAdder {
     traffic_.add_selection(expander.segment, rate, use);
     flush.output = output.name.text;
     flush.bus = bus;
-    traffic_.add_budget(*bus, flush.devices.front(), use, false);
+    traffic_.add_budget(*bus, flush.devices.front(), use, FrameStage::flush);
     if (frames.check) {
       WireUse check;
       check.add(rate, frames.check->write_bytes, frames.check->read_bytes);
-      traffic_.add_budget(*bus, flush.devices.front(), check, false, flushes_per_check(expander));
+      traffic_.add_budget(*bus, flush.devices.front(), check, FrameStage::flush, flushes_per_check(expander));
       use.add(rate, frames.check->write_bytes, frames.check->read_bytes);
     }
     flush.wire = use.wire;
@@ -123,7 +123,7 @@ class FlushAdder {
     flush.wire = use.wire;
     flush.interrupts = use.interrupts;
     flush.service = traffic_.service(*bus, use);
-    traffic_.add_budget(*bus, flush.devices.front(), use, false);
+    traffic_.add_budget(*bus, flush.devices.front(), use, FrameStage::flush);
     if (!go_by_identifier(rate.kind, *bus, of_bus.size())) return;
     flush.identifiers.assign(identifiers.begin(), identifiers.end());
     flush.interrupts = 0;  // each frame finds a mailbox at once: the request that fills it runs before the job goes on

@@ -181,15 +181,16 @@ void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const Wir
   if (by_itself) {
     allow(bus, DriverSource::Counts::received, {place, use.ends, 1, use.min_interval});
   } else {
-    add_budget(bus, place, use, stage == FrameStage::update);
+    add_budget(bus, place, use, stage);
   }
 }
 
-void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, bool in_update, std::int64_t every) {
+void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, FrameStage stage, std::int64_t every) {
   const bool together = use.in_one_request || bus_type(robot_.buses[places_.buses()[bus]].kind).is_mastered;
   FrameBudget budget{place, together ? 1 : use.ends, every, {}};
   budget.cause = InterruptCause::request;
-  budget.in_update = in_update;
+  budget.in_update = stage == FrameStage::update;
+  budget.in_flush = stage == FrameStage::flush;
   allow(bus, DriverSource::Counts::requests, budget);
   budget.cause = InterruptCause::transfer;
   budget.count = use.steps;

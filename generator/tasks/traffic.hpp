@@ -26,8 +26,8 @@ class Traffic {
   /// Allows the interrupts of one use of a bus, asked for in one of any `every` periods of the device. Adds nothing
   /// where a driver does not say what its interrupts count. Where a device does not say what it sends, adds requests
   /// alone.
-  /// @param in_update  the device's update() asks; else its handle() or the flush of its job
-  void add_budget(BusPlace bus, Rank place, const WireUse& use, bool in_update, std::int64_t every = 1);
+  /// @param stage  that asks: of the device, or the flush of its job
+  void add_budget(BusPlace bus, Rank place, const WireUse& use, FrameStage stage, std::int64_t every = 1);
 
   /// Once, after all traffic was added: a source that no declared traffic raises does not interrupt. Where a device
   /// does not say what it sends, every slot may ask for a transfer as soon as its last one has ended.

@@ -53,6 +53,16 @@ class Demand {
     begin_ = kNever, end_ = {};
   }
 
+  /// Which stages of the job run in the window: all of them, if nobody says so.
+  void run(const Stages& stages) {
+    if (stages_ == stages) return;
+    stages_ = stages;
+    for (std::size_t i = 0; i < stream_steps_.size(); ++i) {
+      if (!(*streams_)[i].raised.empty()) stream_steps_[i] = {};
+    }
+    begin_ = kNever, end_ = {};
+  }
+
   /// Lets the next query be smaller than the last one.
   void rewind() {
     begin_ = kNever, end_ = {};
@@ -102,10 +112,10 @@ class Demand {
     return {arrived >= t.most ? kNever : flat_to(t.first, arrived, t.period), std::min(arrived, t.most) * t.cost};
   }
 
-  static Step step(const Stream& s, Duration x) {
+  [[nodiscard]] Step step(const Stream& s, Duration x) const {
     const std::int64_t by_separation = ceil_div(x, s.separation);
     const auto apart = [&] { return Step{flat_to({}, by_separation, s.separation), by_separation * s.cost}; };
-    if (s.budgets.empty()) return apart();
+    if (!s.has_budgets()) return apart();
     Duration end = kNever;
     std::int64_t by_budget = 0;
     for (const Stream::Budget& b : s.budgets) {
@@ -118,6 +128,13 @@ class Demand {
         end = std::min(end, flat_to(-b.jitter, periods, b.period));
       }
       by_budget = gen::add(by_budget, std::min({count, b.most, apart}));
+    }
+    for (const Raised& raised : s.raised) {
+      const std::int64_t count = raised.in(stages_);
+      const Duration separation = raised.separation();
+      const std::int64_t apart = separation > Duration::zero() ? ceil_div(x, separation) : kUnlimited;
+      if (apart < count) end = std::min(end, flat_to({}, apart, separation));
+      by_budget = gen::add(by_budget, std::min(count, apart));
     }
     // None of the two gets smaller, so the step of the smaller one holds. The other may be too large to be a time.
     return by_budget <= by_separation ? Step{end, by_budget * s.cost} : apart();
@@ -133,6 +150,7 @@ class Demand {
 
   Effort* effort_;
   const std::vector<Stream>* streams_ = nullptr;
+  Stages stages_;
   std::vector<Term> terms_;
   std::vector<Step> stream_steps_, term_steps_;
   Duration begin_ = kNever;  ///< value_ holds for x in [begin_, end_]

@@ -33,12 +33,42 @@ void join_alike(std::vector<Budget>& budgets) {
   budgets = std::move(joined);
 }
 
-/// Where in a job a window begins and ends.
-enum class Window {
-  updates,  ///< from before the release to an update() of the job
-  whole,    ///< from before the release to anywhere in it
-  inside,   ///< from the begin of one of its stages to anywhere in it
-  rest,     ///< from behind its updates to anywhere in it
+/// Gathers what the stages of a job raise, in any order.
+class Gathered {
+ public:
+  struct Kind {
+    Duration separation;
+    bool goes_on = false;
+    std::int64_t most = kUnlimited;
+    friend auto operator<=>(const Kind&, const Kind&) = default;
+  };
+
+  void add(const Kind& kind, std::size_t place, std::int64_t count) { stages_.push_back({kind, place, count}); }
+  /// Whichever of these stages runs raises one more, and not one each.
+  void add_one_of_any() {
+    const std::size_t size = stages_.size();
+    for (std::size_t i = 0; i < size; ++i) stages_.push_back({{{}, false, 1}, stages_[i].place, 1});
+  }
+
+  [[nodiscard]] std::vector<Raised> sums() && {
+    std::sort(stages_.begin(), stages_.end(),
+              [](const Stage& a, const Stage& b) { return std::tie(a.kind, a.place) < std::tie(b.kind, b.place); });
+    std::vector<Raised> sums;
+    for (std::size_t i = 0; i < stages_.size(); ++i) {
+      const auto& [kind, place, count] = stages_[i];
+      if (i == 0 || kind != stages_[i - 1].kind) sums.emplace_back(kind.separation, kind.goes_on, kind.most);
+      sums.back().add(place, count);
+    }
+    return sums;
+  }
+
+ private:
+  struct Stage {
+    Kind kind;
+    std::size_t place;
+    std::int64_t count;
+  };
+  std::vector<Stage> stages_;
 };
 
 /// The streams in windows of the jobs of one bucket.
@@ -49,72 +79,95 @@ class JobWindows {
   JobWindows(const TaskSet& set, std::size_t bucket, std::optional<Duration> early)
       : set_(set), bucket_(bucket), early_(early) {}
 
-  [[nodiscard]] JobStreams all() const {
-    return {streams(Window::updates), streams(Window::whole), streams(Window::inside), streams(Window::rest)};
-  }
+  [[nodiscard]] JobStreams all() const { return {streams(false), streams(true)}; }
 
  private:
-  [[nodiscard]] std::vector<Stream> streams(Window window) const {
+  [[nodiscard]] std::vector<Stream> streams(bool begins_in_job) const {
     std::vector<Stream> all = set_.streams;
     for (Stream& stream : all) {
-      for (Budget& budget : stream.budgets) narrow(stream, window, budget);
-      keep_one_masked_request(window, stream.budgets);
+      Gathered own;
+      std::erase_if(stream.budgets,
+                    [&](const Budget& b) { return is_own(b) && gather(stream, begins_in_job, b, own); });
+      for (Budget& budget : stream.budgets) narrow(stream, budget);
+      keep_one_masked_request(begins_in_job, stream.budgets, own);
+      stream.raised = std::move(own).sums();
       join_alike(stream.budgets);
     }
     return all;
   }
 
-  static bool begins_in_job(Window window) { return window == Window::inside || window == Window::rest; }
-
-  /// Whether those of the own bucket that are asked for in the window's part of the job run in it.
-  static bool asks(Window window, const Budget& budget) {
-    return budget.in_update ? window != Window::rest : window != Window::updates;
+  /// Takes what the job itself raises. Returns false where any window's budget stays.
+  bool gather(const Stream& stream, bool begins_in_job, const Budget& budget, Gathered& own) const {
+    const TaskBucket& job = set_.buckets[bucket_];
+    switch (budget.cause) {
+      case InterruptCause::clock:
+        return false;
+      case InterruptCause::request:
+        own.add({budget.separation}, asked_at(budget), budget.count);
+        return true;
+      case InterruptCause::transfer: {
+        const auto ended = set_.ended[*stream.place][bucket_];
+        // By the release those of the job before have ended.
+        const bool are_its_own = ended && (begins_in_job || (early_ && *ended + *early_ <= job.period));
+        if (are_its_own) own.add({budget.separation, true}, asked_at(budget), budget.count);
+        return are_its_own;
+      }
+      case InterruptCause::look:
+        own.add({budget.separation, true}, 0, budget.count);  // left from the look before
+        own.add({budget.separation}, TaskBucket::update_place(set_.place_of[budget.device]), budget.count);
+        return true;
+    }
+    return false;
   }
 
-  void narrow(const Stream& stream, Window window, Budget& budget) const {
+  /// The stage of the own job that asks.
+  [[nodiscard]] std::size_t asked_at(const Budget& budget) const {
+    const TaskBucket& job = set_.buckets[bucket_];
+    if (budget.in_flush) return job.flush_place();
+    const std::size_t device = set_.place_of[budget.device];
+    return budget.in_update ? TaskBucket::update_place(device) : job.handle_place(device);
+  }
+
+  /// What jobs of other buckets raise.
+  void narrow(const Stream& stream, Budget& budget) const {
+    if (is_own(budget)) return;
     switch (budget.cause) {
       case InterruptCause::clock:
         return;
       case InterruptCause::request:
         budget.carry_in = 0;
-        if (is_own(budget)) budget.most = asks(window, budget) ? budget.count : 0;
         return;
       case InterruptCause::transfer:
         if (const auto ended = set_.ended[*stream.place][set_.bucket_of[budget.device]])
-          narrow_transfer(*ended, window, budget);
+          narrow_transfer(*ended, budget);
         return;
       case InterruptCause::look:
         budget.carry_in = 1;
-        if (is_own(budget)) budget.most = multiply(window == Window::rest ? 1 : 2, budget.count);
         if (is_lower_priority(budget)) budget.most = budget.count;
         return;
     }
   }
 
   /// @param ended  all of them, so long after the release of the job that asked
-  void narrow_transfer(Duration ended, Window window, Budget& budget) const {
+  void narrow_transfer(Duration ended, Budget& budget) const {
     if (is_lower_priority(budget)) {
       budget.most = budget.count;  // of the job before the window: it asks for no more while higher-priority jobs wait
-    } else if (!is_own(budget)) {
+    } else {
       budget.carry_in = 0;
       budget.jitter = ended;
-    } else if (begins_in_job(window)) {
-      budget.most = budget.count;  // by the release those of the job before have ended
-    } else if (early_ && ended + *early_ <= budget.period) {
-      budget.most = asks(window, budget) ? budget.count : 0;
     }
   }
 
   /// At the begin of a window at most one lower-priority stage is in a masked section, and has asked for one transfer:
   /// none where the job runs already. Or a lower-priority job has put frames into their slots and not asked yet: the
   /// next request takes them along, for which this one stands.
-  void keep_one_masked_request(Window window, std::vector<Budget>& budgets) const {
+  void keep_one_masked_request(bool begins_in_job, std::vector<Budget>& budgets, Gathered& own) const {
     const auto is_masked = [&](const Budget& b) { return b.cause == InterruptCause::request && is_lower_priority(b); };
     const auto first = std::find_if(budgets.begin(), budgets.end(), is_masked);
     if (first == budgets.end()) return;
-    const bool is_taken_along =
-        std::any_of(budgets.begin(), budgets.end(), [&](const Budget& b) { return !is_masked(b) && b.most > 0; });
-    first->most = is_taken_along || !begins_in_job(window) ? 1 : 0;
+    const bool is_anywhere = !begins_in_job || !std::all_of(budgets.begin(), budgets.end(), is_masked);
+    if (!is_anywhere) own.add_one_of_any();
+    first->most = is_anywhere ? 1 : 0;
     budgets.erase(std::remove_if(first + 1, budgets.end(), is_masked), budgets.end());
   }
 

@@ -43,6 +43,7 @@ Json source_json(const Model& model, const InterruptSource& source) {
     if (b.carry_in != 1) budget["carry_in"] = b.carry_in;
     if (b.cause != InterruptCause::clock) budget["cause"] = word_of(b.cause, kCauseWords);
     if (b.in_update) budget["in_update"] = true;
+    if (b.in_flush) budget["in_flush"] = true;
     out["budgets"].push_back(std::move(budget));
   }
   if (source.of_transfers) out["of_transfers"] = true;

@@ -37,6 +37,7 @@ struct FrameBudget {
   std::int64_t carry_in = 1;  ///< periods before a window whose interrupts can still come in it
   InterruptCause cause = InterruptCause::clock;
   bool in_update = false;  ///< request, transfer: update() asks; else handle() or the flush of the job
+  bool in_flush = false;   ///< the same: the flush asks
 };
 
 /// A pin that a device has to itself.

@@ -31,13 +31,16 @@ std::int64_t PairWindow::releases_inside(std::size_t bucket, std::size_t of, Dur
 /// From an instant at which nothing is pending of higher priority than what begins there until handle(to) has ended.
 /// @param work     of the jobs that are there, as far as it is done until then
 /// @param streams  interrupts of such a window
-Duration PairWindow::until(Rank to, Duration release, Duration work, const std::vector<Stream>& streams) const {
+/// @param stages   of the job of `to` that run in it
+Duration PairWindow::until(Rank to, Duration release, Duration work, const std::vector<Stream>& streams,
+                           const Stages& stages) const {
   const TaskSet& set = profile_.set;
   const std::size_t w = set.bucket_of[to];
   const Duration response = profile_.table.r_minus(to, release);
   const Duration extra = nanoseconds(set.handle[to] == Duration::zero() ? 1 : 0);
   Demand demand(effort_);
   demand.add_streams(streams);
+  demand.run(stages);
   const Duration length = response - nanoseconds(1) + extra;
   for (std::size_t v = 0; v < w; ++v)
     demand.add({{}, set.buckets[v].period, set.buckets[v].cost, releases_inside(v, w, release, length)});
@@ -48,7 +51,9 @@ Duration PairWindow::until(Rank to, Duration release, Duration work, const std::
 Duration PairWindow::in_one_job(Rank from, Rank to, Duration release) const {
   const std::size_t w = profile_.set.bucket_of[to];
   if (profile_.responses.closed_form[w]) return profile_.table.r_minus(to, release);
-  return until(to, release, updates_from_[from] + handles_to_[to], profile_.set.inside_job(w));
+  const TaskSet& set = profile_.set;
+  const Stages stages{TaskBucket::update_place(set.place_of[from]), set.buckets[w].handle_place(set.place_of[to])};
+  return until(to, release, updates_from_[from] + handles_to_[to], set.inside_job(w), stages);
 }
 
 bool PairWindow::spans(std::size_t from, std::size_t to) const {
@@ -77,7 +82,7 @@ Duration PairWindow::in_two_jobs(Rank from, Rank to, Duration release) const {
   Duration work = updates_from_[from] + handles_to_[first.devices.front()] + first.after;
   work += profile_.responses.b_minus[to];
   for (std::size_t v = f + 1; v < w; ++v) work += pending_at(v, w, release);
-  return until(to, release, work, set.streams);
+  return until(to, release, work, set.streams, {});
 }
 
 }  // namespace finemote::gen::timing

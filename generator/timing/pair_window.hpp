@@ -20,7 +20,8 @@ class PairWindow {
   [[nodiscard]] bool spans(std::size_t from, std::size_t to) const;
 
  private:
-  [[nodiscard]] Duration until(Rank to, Duration release, Duration work, const std::vector<Stream>& streams) const;
+  [[nodiscard]] Duration until(Rank to, Duration release, Duration work, const std::vector<Stream>& streams,
+                               const Stages& stages) const;
   [[nodiscard]] std::int64_t releases_inside(std::size_t bucket, std::size_t of, Duration release,
                                              Duration length) const;
   [[nodiscard]] Duration pending_at(std::size_t bucket, std::size_t of, Duration release) const;

@@ -120,6 +120,7 @@ struct ModelReader::Tables {
       {"carry_in", Need::target, &FrameBudget::carry_in, 1},
       {"cause", Need::target, Whole<FrameBudget>{&ModelReader::read_cause}},
       {"in_update", Need::target, &FrameBudget::in_update},
+      {"in_flush", Need::target, &FrameBudget::in_flush},
   };
   static constexpr Field<Device> kDevice[] = {
       {"name"},

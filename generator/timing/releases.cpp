@@ -54,14 +54,11 @@ class ReleaseTable::Builder {
         w_(w),
         higher_(higher_priority_buckets(set, w)),
         effort_(effort),
-        updates_(effort),
         whole_(effort),
         inside_(effort) {
-    updates_.add_streams(set.in_updates(w));
     whole_.add_streams(set.in_job(w));
     inside_.add_streams(set.inside_job(w));
     for (const HigherBucket& u : higher_) {
-      updates_.add({{}, u.period, u.cost});
       whole_.add({{}, u.period, u.cost});
       inside_.add({{}, u.period, u.cost, 0});
     }
@@ -123,25 +120,25 @@ class ReleaseTable::Builder {
   void sweep(const Duration* start, std::vector<Cell>& cells) {
     if (!effort_.spend(kStepsPerCell * static_cast<std::int64_t>(cells.size()))) return;
     const Duration distance = *start;
-    updates_.begin_at(start + 1);
     whole_.begin_at(start + 1);
     Duration x = distance + nanoseconds(1);
-    const auto end_of = [&](Demand& demand, Duration work, bool empty) {
+    const auto end_of = [&](std::size_t place, Duration work, bool empty) {
+      whole_.run({0, place});
       const Duration extra = nanoseconds(empty ? 1 : 0);
       const Duration base = work + extra;
-      x = least_fit(demand, base, std::max(x, base), kLongest);
+      x = least_fit(whole_, base, std::max(x, base), kLongest);
       return x - extra - distance;
     };
     Duration work = set_.blocking + bucket_.before;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const Duration cost = set_.update[bucket_.devices[i]];
       work += cost;
-      cells[i].r_plus = std::max(cells[i].r_plus, end_of(updates_, work, cost == Duration::zero()));
+      cells[i].r_plus = std::max(cells[i].r_plus, end_of(TaskBucket::update_place(i), work, cost == Duration::zero()));
     }
     for (std::size_t i = cells.size(); i-- > 0;) {
       const Duration cost = set_.handle[bucket_.devices[i]];
       work += cost;
-      cells[i].r_minus = std::max(cells[i].r_minus, end_of(whole_, work, cost == Duration::zero()));
+      cells[i].r_minus = std::max(cells[i].r_minus, end_of(bucket_.handle_place(i), work, cost == Duration::zero()));
     }
   }
 
@@ -192,6 +189,7 @@ class ReleaseTable::Builder {
         }
       }
       const Duration base = work + extra;
+      inside_.run({TaskBucket::update_place(i), bucket_.handle_place(i)});
       x = least_fit(inside_, base, std::max(x, base), kLongest);
       cells[i].window = std::min(x - extra, cells[i].r_minus);
     }
@@ -205,8 +203,8 @@ class ReleaseTable::Builder {
 
   std::vector<HigherBucket> higher_;
   Effort& effort_;
-  Demand updates_, whole_;  ///< all higher-priority demand, up to the last update and further
-  Demand inside_;           ///< all higher-priority demand that is released inside a window
+  Demand whole_;   ///< all higher-priority demand
+  Demand inside_;  ///< all higher-priority demand that is released inside a window
 };
 
 ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& responses, Effort& effort) {

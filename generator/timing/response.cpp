@@ -26,30 +26,22 @@ Duration lower_bound(const TaskSet& set, std::size_t w, Duration base) {
 class BucketSweep {
  public:
   BucketSweep(const TaskSet& set, std::size_t w, Effort& effort)
-      : set_(set), w_(w), bucket_(set.buckets[w]), updates_(effort), whole_(effort) {
-    updates_.add_streams(set.in_updates(w));
-    whole_.add_streams(set.in_job(w));
-    for (std::size_t v = 0; v < w; ++v) {
-      for (Demand* demand : {&updates_, &whole_}) demand->add({{}, set.buckets[v].period, set.buckets[v].cost});
-    }
+      : set_(set), w_(w), bucket_(set.buckets[w]), demand_(effort) {
+    demand_.add_streams(set.in_job(w));
+    for (std::size_t v = 0; v < w; ++v) demand_.add({{}, set.buckets[v].period, set.buckets[v].cost});
     const Duration first = set.blocking + bucket_.before;
     x_ = lower_bound(set, w, std::max(first, nanoseconds(1)));
     good_ = !is_saturated(set, w) && x_ != kNever;
   }
 
-  /// Bounds of stages that end when `work` of the own bucket is done; kNone from the first miss on.
-  Duration end_of_update(Duration work, bool empty) { return end_of(updates_, work, empty); }
-  Duration end_of(Duration work, bool empty) { return end_of(whole_, work, empty); }
-
-  [[nodiscard]] bool is_closed_form() const { return is_closed_form_; }
-
- private:
-  Duration end_of(Demand& demand, Duration work, bool empty) {
+  /// Bound of the stage at this place, which ends when `work` of the own bucket is done; kNone from the first miss on.
+  Duration end_of(std::size_t place, Duration work, bool empty) {
     if (!good_) return kNone;
+    demand_.run({0, place});
     const Duration extra = nanoseconds(empty ? 1 : 0);
     const Duration base = work + extra;
-    x_ = least_fit(demand, base, std::max(x_, base), bucket_.period + extra);
-    if (demand.is_spent()) {
+    x_ = least_fit(demand_, base, std::max(x_, base), bucket_.period + extra);
+    if (demand_.is_spent()) {
       is_closed_form_ = true;
       x_ = closed_fixed_point(set_, w_, base);
     }
@@ -57,10 +49,13 @@ class BucketSweep {
     return good_ ? x_ - extra : kNone;
   }
 
+  [[nodiscard]] bool is_closed_form() const { return is_closed_form_; }
+
+ private:
   const TaskSet& set_;
   std::size_t w_;
   const TaskBucket& bucket_;
-  Demand updates_, whole_;  ///< all higher-priority demand, up to the last update and further
+  Demand demand_;  ///< all higher-priority demand
   Duration x_ = nanoseconds(1);
   bool good_ = true;
   bool is_closed_form_ = false;
@@ -70,15 +65,19 @@ void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& 
   const TaskBucket& bucket = set.buckets[w];
   BucketSweep sweep(set, w, effort);
   Duration work = bucket.before;
-  for (const Rank d : bucket.devices) {
+  for (std::size_t i = 0; i < bucket.devices.size(); ++i) {
+    const Rank d = bucket.devices[i];
     out.b_plus[d] = work += set.update[d];
-    out.r_plus[d] = sweep.end_of_update(work + set.blocking, set.update[d] == Duration::zero());
+    out.r_plus[d] = sweep.end_of(TaskBucket::update_place(i), work + set.blocking, set.update[d] == Duration::zero());
   }
-  for (auto d = bucket.devices.rbegin(); d != bucket.devices.rend(); ++d) {
-    out.b_minus[*d] = work += set.handle[*d];
-    out.r_minus[*d] = out.bucket[w] = sweep.end_of(work + set.blocking, set.handle[*d] == Duration::zero());
+  for (std::size_t i = bucket.devices.size(); i-- > 0;) {
+    const Rank d = bucket.devices[i];
+    out.b_minus[d] = work += set.handle[d];
+    out.r_minus[d] = out.bucket[w] =
+        sweep.end_of(bucket.handle_place(i), work + set.blocking, set.handle[d] == Duration::zero());
   }
-  if (bucket.after > Duration::zero()) out.bucket[w] = sweep.end_of(work + bucket.after + set.blocking, false);
+  if (bucket.after > Duration::zero())
+    out.bucket[w] = sweep.end_of(bucket.flush_place(), work + bucket.after + set.blocking, false);
   out.closed_form[w] = sweep.is_closed_form();
   if (out.bucket[w] != kNone) return;
   for (const Rank d : bucket.devices) out.r_plus[d] = out.r_minus[d] = kNone;

@@ -59,7 +59,8 @@ std::int64_t RestOfJob::instants(std::size_t bucket, Duration repeat, Duration l
 
 Duration RestOfJob::at(std::size_t bucket, Duration work, Duration instant) const {
   Demand demand(effort_);
-  demand.add_streams(set_.behind_updates(bucket));
+  demand.add_streams(set_.inside_job(bucket));
+  demand.run({set_.buckets[bucket].devices.size()});  // from the first handle on
   for (std::size_t v = 0; v < bucket; ++v) {
     const Duration period = set_.buckets[v].period;
     demand.add({round_up(instant, period) - instant, period, set_.buckets[v].cost});

@@ -18,6 +18,7 @@ Stream::Budget budget_of(const Model& model, const FrameBudget& b) {
   budget.every = b.every;
   budget.cause = b.cause;
   budget.in_update = b.in_update;
+  budget.in_flush = b.in_flush;
   budget.device = b.device;
   // One transfer may be under way when a window begins, and one job more than the window has periods may ask in it.
   budget.may_last = b.cause == InterruptCause::transfer;
@@ -84,11 +85,14 @@ void add_buckets(const Model& model, Profile profile, TaskSet& set) {
   std::map<Duration, std::vector<Rank>> by_period;
   for (const Rank d : model.devices.ids()) by_period[model.devices[d].period].push_back(d);
   set.bucket_of.resize(model.devices.size());
+  set.place_of.resize(model.devices.size());
   for (auto& [period, devices] : by_period) {
     TaskBucket bucket;
     bucket.period = period;
+    std::size_t place = 0;
     for (const Rank d : devices) {
       set.bucket_of[d] = set.buckets.size();
+      set.place_of[d] = place++;
       bucket.cost += set.update[d] + set.handle[d];
     }
     if (profile == Profile::target) {

@@ -1,21 +1,18 @@
 // Model and profile to what the fixed points work on: interrupt streams, buckets and stage costs.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "generator/timing/model.hpp"
+#include "generator/timing/raised.hpp"
 #include "generator/timing/result.hpp"
 
 namespace finemote::gen::timing {
 
-/// As many as there can be.
-inline constexpr std::int64_t kUnlimited = std::numeric_limits<std::int64_t>::max();
-
 /// Interrupts of one source in any window of length L: at most ceil(L/separation) and, with budgets, at most
-/// sum min(most, count * ceil((ceil((L + jitter)/period) + carry_in) / every)).
+/// sum min(most, count * ceil((ceil((L + jitter)/period) + carry_in) / every)), and those that are raised.
 struct Stream {
   struct Budget {
     std::int64_t count = 0;
@@ -26,6 +23,7 @@ struct Stream {
     std::int64_t most = kUnlimited;
     InterruptCause cause = InterruptCause::clock;
     bool in_update = false;
+    bool in_flush = false;
     Rank device;            ///< that causes them, where jobs do
     bool may_last = false;  ///< transfers: nobody knows yet that they end within a period; one more counts
     Duration separation;    ///< of two that any budget of the same kind allows; 0: that of the stream
@@ -39,15 +37,16 @@ struct Stream {
   std::optional<BusPlace> place = {};  ///< the bus
   bool of_transfers = false;           ///< only the transfer on the wire of its bus causes them
   bool ends_frame = false;             ///< the end of a frame on the wire of its bus causes them
+  std::vector<Raised> raised = {};     ///< by the job in whose window they count (job_streams.hpp)
+  /// Nothing but the separation bounds it.
+  [[nodiscard]] bool has_budgets() const { return !budgets.empty() || !raised.empty(); }
 };
 
 /// The streams in windows in which one job of a bucket runs, from an instant on at which nothing of higher priority
 /// waits: beside it only higher-priority jobs run there, those that are released in the window (job_streams.hpp).
 struct JobStreams {
-  std::vector<Stream> updates;  ///< from before the release to an update() of the job
-  std::vector<Stream> whole;    ///< from before the release to anywhere in it
-  std::vector<Stream> inside;   ///< from the begin of one of its stages to anywhere in it
-  std::vector<Stream> rest;     ///< from behind its updates to anywhere in it
+  std::vector<Stream> whole;   ///< from before the release to the end of one of its stages
+  std::vector<Stream> inside;  ///< from the begin of one of its stages to the end of another
 };
 
 struct TaskBucket {
@@ -56,6 +55,10 @@ struct TaskBucket {
   Duration after;             ///< flush and exit, behind the last handle
   Duration cost;              ///< one whole job
   std::vector<Rank> devices;  ///< registration order
+  /// Places of stages, by the place of their device (raised.hpp).
+  [[nodiscard]] static std::size_t update_place(std::size_t device) { return device; }
+  [[nodiscard]] std::size_t handle_place(std::size_t device) const { return 2 * devices.size() - 1 - device; }
+  [[nodiscard]] std::size_t flush_place() const { return 2 * devices.size(); }
 };
 
 /// Streams run above all buckets, shorter periods above longer ones.
@@ -70,6 +73,7 @@ struct TaskSet {
   Table<BusPlace, std::vector<std::optional<Duration>>> ended;
   std::vector<TaskBucket> buckets;  ///< ascending period
   Table<Rank, std::size_t> bucket_of;
+  Table<Rank, std::size_t> place_of;     ///< among the devices of its bucket
   Table<Rank, Duration> update, handle;  ///< one run of the stage with everything around it
   /// How much later than its end an empty stage's data counts as there for a faster consumer in an empty bucket. Under
   /// the rule of the cases not at all: what takes no time at one instant is done in the order of the data. Else one
@@ -82,17 +86,11 @@ struct TaskSet {
     return lag(handle[producer], consumer_period);
   }
   Duration blocking;  ///< longest masked section: delays every busy window once
-  [[nodiscard]] const std::vector<Stream>& in_updates(std::size_t bucket) const {
-    return of_jobs.empty() ? streams : of_jobs[bucket].updates;
-  }
   [[nodiscard]] const std::vector<Stream>& in_job(std::size_t bucket) const {
     return of_jobs.empty() ? streams : of_jobs[bucket].whole;
   }
   [[nodiscard]] const std::vector<Stream>& inside_job(std::size_t bucket) const {
     return of_jobs.empty() ? streams : of_jobs[bucket].inside;
-  }
-  [[nodiscard]] const std::vector<Stream>& behind_updates(std::size_t bucket) const {
-    return of_jobs.empty() ? streams : of_jobs[bucket].rest;
   }
 
  private:

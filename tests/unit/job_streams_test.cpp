@@ -19,6 +19,9 @@ Device device(const std::string& name, Duration period) {
   return d;
 }
 
+// Of a bucket with one device.
+constexpr Stages kUpdate{0, 0}, kHandle{1, 1}, kAll;
+
 /// Three buckets of one device each, of which the one in the middle uses a bus.
 class Robot {
  public:
@@ -45,15 +48,21 @@ class Robot {
 
   using Windows = const std::vector<Stream>& (TaskSet::*)(std::size_t bucket) const;
 
-  /// The bus's budget in windows of one bucket.
-  [[nodiscard]] Stream::Budget budget(std::size_t bucket, Windows windows) const {
+  /// The bus's budget of other buckets' jobs in windows of one bucket.
+  [[nodiscard]] Stream::Budget budget(std::size_t bucket, Windows windows = &TaskSet::in_job) const {
     const TaskSet set = analyse_deadlines(model, Profile::target).set;
     const auto& streams = (set.*windows)(bucket);
     REQUIRE(streams.front().budgets.size() == 1);
     return streams.front().budgets.front();
   }
-  [[nodiscard]] Stream::Budget budget(std::size_t bucket, bool has_handles) const {
-    return budget(bucket, has_handles ? &TaskSet::in_job : &TaskSet::in_updates);
+  /// What the job of the middle bucket raises itself while these stages run.
+  [[nodiscard]] std::int64_t raised(const Stages& stages, Windows windows = &TaskSet::in_job) const {
+    const TaskSet set = analyse_deadlines(model, Profile::target).set;
+    const Stream& stream = (set.*windows)(1).front();
+    REQUIRE(stream.budgets.empty());
+    std::int64_t sum = 0;
+    for (const Raised& raised : stream.raised) sum += raised.in(stages);
+    return sum;
   }
 
   Model model;
@@ -61,64 +70,89 @@ class Robot {
 
 }  // namespace
 
-TEST_CASE("a request runs with the job that asks, and once where a masked section holds it back") {
+TEST_CASE("a request runs with the stage that asks, and once where a masked section holds it back") {
   const Robot later(InterruptCause::request), early(InterruptCause::request, true);
-  CHECK(later.budget(2, true).carry_in == 0);  // a more urgent job asks: as often as it is released
-  CHECK(later.budget(2, true).most == kUnlimited);
-  CHECK(later.budget(1, true).most == 3);
-  CHECK(later.budget(1, false).most == 0);
-  CHECK(early.budget(1, false).most == 3);
-  CHECK(later.budget(0, true).most == 1);  // a less urgent one asked just before
+  CHECK(later.budget(2).carry_in == 0);  // a more urgent job asks: as often as it is released
+  CHECK(later.budget(2).most == kUnlimited);
+  CHECK(later.raised(kAll) == 3);
+  CHECK(later.raised(kUpdate) == 0);
+  CHECK(early.raised(kUpdate) == 3);
+  CHECK(later.budget(0).most == 1);  // a less urgent one asked just before
+}
+
+TEST_CASE("a flush asks behind all handles") {
+  Robot robot(InterruptCause::request);
+  robot.model.buses[BusPlace{0}].sources->front().budgets.front().in_flush = true;
+  CHECK(robot.raised({0, 1}) == 0);
+  CHECK(robot.raised(kAll) == 3);
+  CHECK(robot.raised(kAll, &TaskSet::inside_job) == 3);
+}
+
+TEST_CASE("a stage counts what earlier ones of its job raise, and not what later ones do") {
+  Robot robot(InterruptCause::request, true);
+  robot.model.devices.push_back(device("second", 2000_ns));
+  InterruptSource& source = robot.model.buses[BusPlace{0}].sources->front();
+  FrameBudget other = source.budgets.front();
+  other.device = Rank{3};
+  other.count = 5;
+  source.budgets.push_back(other);
+  CHECK(robot.raised({0, 0}) == 3);
+  CHECK(robot.raised({0, 1}) == 8);
+  CHECK(robot.raised({1, 1}, &TaskSet::inside_job) == 5);
+  CHECK(robot.raised({2, 3}, &TaskSet::inside_job) == 0);
+  // The other handle of the job ends no earlier for it, but the update of the first device does.
+  const ProfileAnalysis analysis = analyse_deadlines(robot.model, Profile::target);
+  CHECK(analysis.responses.r_plus[Rank{3}] - analysis.responses.r_plus[Rank{1}] == 10_ns + 5 * 5_ns);
 }
 
 TEST_CASE("a transfer goes on after its job, until it has ended") {
   const Robot later(InterruptCause::transfer), early(InterruptCause::transfer, true);
 
   const Responses responses = analyse_deadlines(later.model, Profile::target).responses;
-  const Stream::Budget above = later.budget(2, true);
+  const Stream::Budget above = later.budget(2);
   CHECK(above.carry_in == 0);
   CHECK(above.jitter >= responses.r_minus[Rank{1}] + 100_ns);
   CHECK(above.jitter < 400_ns);
   CHECK(above.most == kUnlimited);
-  CHECK(later.budget(1, true).most == 3);
-  CHECK(later.budget(1, false).most == 0);
-  CHECK(early.budget(1, false).most == 3);
-  CHECK(later.budget(0, false).most == 3);  // of the job before
+  CHECK(later.raised(kAll) == 3);
+  CHECK(later.raised(kUpdate) == 0);
+  CHECK(early.raised(kUpdate) == 3);
+  CHECK(later.budget(0).most == 3);  // of the job before
 }
 
 TEST_CASE("where transfers may last as long as the period, windows of jobs hold what any window does") {
   Robot slow(InterruptCause::transfer);
   slow.model.devices[Rank{1}].transfers.front().wire = 1990_ns;
   for (const std::size_t bucket : {0U, 1U, 2U}) {
-    CHECK(slow.budget(bucket, true).carry_in == 2);  // one more may be under way
-    CHECK(slow.budget(bucket, true).jitter == 0_ns);
-    CHECK(slow.budget(bucket, true).most == kUnlimited);
+    CHECK(slow.budget(bucket).carry_in == 2);  // one more may be under way
+    CHECK(slow.budget(bucket).jitter == 0_ns);
+    CHECK(slow.budget(bucket).most == kUnlimited);
   }
   slow.model.devices[Rank{1}].transfers.clear();  // nobody knows when they end
-  CHECK(slow.budget(0, true).most == kUnlimited);
+  CHECK(slow.budget(0).most == kUnlimited);
 }
 
 TEST_CASE("transfers that have not ended when more urgent work may hold the window open count twice") {
   Robot slow(InterruptCause::transfer);
   const Responses responses = analyse_deadlines(slow.model, Profile::target).responses;
   slow.model.devices[Rank{1}].transfers.front().wire = 2000_ns - responses.r_minus[Rank{1}] - 35_ns;
-  CHECK(slow.budget(2, true).jitter > 1900_ns);
-  CHECK(slow.budget(1, true).carry_in == 1);
-  CHECK(slow.budget(1, true).most == kUnlimited);
+  CHECK(slow.budget(2).jitter > 1900_ns);
+  CHECK(slow.budget(1).carry_in == 1);
+  CHECK(slow.budget(1).most == kUnlimited);
 }
 
 TEST_CASE("a look allows what it allows, beside what was left before it") {
   const Robot robot(InterruptCause::look);
-  CHECK(robot.budget(2, true).carry_in == 1);
-  CHECK(robot.budget(1, true).most == 6);
-  CHECK(robot.budget(0, true).most == 3);
+  CHECK(robot.budget(2).carry_in == 1);
+  CHECK(robot.raised(kUpdate) == 6);
+  CHECK(robot.budget(0).most == 3);
 }
 
 TEST_CASE("a window that begins in a job holds what is asked for in that part of it") {
   const Robot later(InterruptCause::request), early(InterruptCause::request, true);
-  CHECK(early.budget(1, &TaskSet::inside_job).most == 3);
-  CHECK(early.budget(1, &TaskSet::behind_updates).most == 0);
-  CHECK(later.budget(1, &TaskSet::behind_updates).most == 3);
+  CHECK(early.raised(kAll, &TaskSet::inside_job) == 3);
+  CHECK(early.raised(kHandle, &TaskSet::inside_job) == 0);
+  CHECK(later.raised(kHandle, &TaskSet::inside_job) == 3);
   CHECK(later.budget(2, &TaskSet::inside_job).most == kUnlimited);  // a more urgent job asks
   CHECK(later.budget(0, &TaskSet::inside_job).most == 0);           // a less urgent one is not in a masked section
 }
@@ -130,31 +164,41 @@ TEST_CASE("frames of a less urgent job go along with the next request of a windo
   other.device = Rank{0};
   source.budgets.push_back(other);
   const TaskSet set = analyse_deadlines(robot.model, Profile::target).set;
-  const auto& budgets = set.inside_job(0).front().budgets;
-  REQUIRE(budgets.size() == 2);
-  CHECK(std::any_of(budgets.begin(), budgets.end(), [](const Stream::Budget& b) { return b.most == 1; }));
+  const Stream& stream = set.inside_job(0).front();
+  const auto most = [&](const Stages& stages) {
+    std::int64_t sum = stream.budgets.front().most;
+    for (const Raised& raised : stream.raised) sum += raised.in(stages);
+    return sum;
+  };
+  CHECK(most(kHandle) == 3 + 1);
+  CHECK(most(kUpdate) == 0);  // nobody asks
 }
 
 TEST_CASE("in a window that begins in a job, transfers are those of the job: the ones before have ended") {
   Robot slow(InterruptCause::transfer);
   const Responses responses = analyse_deadlines(slow.model, Profile::target).responses;
   slow.model.devices[Rank{1}].transfers.front().wire = 2000_ns - responses.r_minus[Rank{1}] - 35_ns;
-  CHECK(slow.budget(1, &TaskSet::in_job).most == kUnlimited);
-  CHECK(slow.budget(1, &TaskSet::inside_job).most == 3);
-  CHECK(slow.budget(1, &TaskSet::behind_updates).most == 3);
+  CHECK(slow.budget(1).most == kUnlimited);
+  CHECK(slow.raised(kUpdate, &TaskSet::inside_job) == 0);
+  CHECK(slow.raised(kHandle, &TaskSet::inside_job) == 3);
+}
+
+TEST_CASE("what was asked for before a window that begins in a job goes on in it") {
+  const Robot early(InterruptCause::transfer, true);
+  CHECK(early.raised(kHandle, &TaskSet::inside_job) == 3);
 }
 
 TEST_CASE("behind the updates of a job only what was left before its look can come") {
   const Robot robot(InterruptCause::look);
-  CHECK(robot.budget(1, &TaskSet::inside_job).most == 6);
-  CHECK(robot.budget(1, &TaskSet::behind_updates).most == 3);
+  CHECK(robot.raised(kAll, &TaskSet::inside_job) == 6);
+  CHECK(robot.raised(kHandle, &TaskSet::inside_job) == 3);
 }
 
 TEST_CASE("what no job causes counts as in any window") {
   const Robot robot(InterruptCause::clock);
   for (const std::size_t bucket : {0U, 1U, 2U}) {
-    CHECK(robot.budget(bucket, false).carry_in == 1);
-    CHECK(robot.budget(bucket, false).most == kUnlimited);
+    CHECK(robot.budget(bucket).carry_in == 1);
+    CHECK(robot.budget(bucket).most == kUnlimited);
   }
 }
 

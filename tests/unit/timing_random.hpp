@@ -88,11 +88,14 @@ class RandomForest {
     budget.cause = kCauses[random_.between(0, 3)];
     if (budget.cause == InterruptCause::look) budget.every = 1, budget.carry_in = 2;
     budget.in_update = budget.cause != InterruptCause::look && random_.one_in(2);
+    budget.in_flush = budget.cause != InterruptCause::look && !budget.in_update && random_.one_in(2);
     if (budget.cause != InterruptCause::transfer || random_.one_in(4)) return;
     Transfer transfer;
     transfer.bus = bus;
     transfer.wire = up_to(device.period.ns());
-    transfer.after = budget.in_update ? Transfer::After::update : Transfer::After::handle;
+    transfer.after = budget.in_update  ? Transfer::After::update
+                     : budget.in_flush ? Transfer::After::bucket
+                                       : Transfer::After::handle;
     device.transfers.push_back(transfer);
   }
 
