@@ -21,7 +21,11 @@ class Arrivals {
   void advance(Duration release) {
     std::visit([&](auto& arrivals) { arrivals.advance(release); }, kind_);
   }
-  /// A stage of the job released at `release` has ended now.
+  /// A stage of the job released at `release` begins now.
+  void stage_began(Rank device, bool is_update, Duration release, Duration now) {
+    if (auto* caused = std::get_if<CausedArrivals>(&kind_)) caused->stage_began(device, is_update, release, now);
+  }
+  /// It has ended now.
   void stage_ended(Rank device, bool is_update, Duration release, Duration now) {
     if (auto* caused = std::get_if<CausedArrivals>(&kind_)) caused->stage_ended(device, is_update, release, now);
   }

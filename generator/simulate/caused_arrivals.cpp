@@ -8,7 +8,17 @@ using timing::InterruptCause;
 using Budget = timing::Stream::Budget;
 
 CausedArrivals::CausedArrivals(const timing::Stream& stream, const timing::TaskSet& set, Random& random)
-    : stream_(stream), set_(set), random_(random), jobs_left_(stream.budgets.size(), 0) {}
+    : stream_(stream),
+      set_(set),
+      random_(random),
+      jobs_left_(stream.budgets.size(), 0),
+      asks_at_end_(stream.budgets.size(), false) {}
+
+bool CausedArrivals::asks(const Budget& budget, Rank device, bool is_update) {
+  if (budget.device != device) return false;
+  if (budget.cause == InterruptCause::look) return is_update;
+  return is_update == budget.in_update && !budget.in_flush;
+}
 
 bool CausedArrivals::cause(const timing::Stream& stream) {
   const auto is_caused = [](const Budget& budget) { return budget.cause != InterruptCause::clock; };
@@ -17,12 +27,17 @@ bool CausedArrivals::cause(const timing::Stream& stream) {
 
 Duration CausedArrivals::next() const { return planned_.empty() ? floor_div(Duration::max(), 4) : planned_.front(); }
 
+void CausedArrivals::stage_began(Rank device, bool is_update, Duration release, Duration now) {
+  for (std::size_t i = 0; i < stream_.budgets.size(); ++i) {
+    if (!asks(stream_.budgets[i], device, is_update)) continue;
+    asks_at_end_[i] = random_.one_in(2);
+    if (!asks_at_end_[i]) raise(i, release, now);
+  }
+}
+
 void CausedArrivals::stage_ended(Rank device, bool is_update, Duration release, Duration now) {
   for (std::size_t i = 0; i < stream_.budgets.size(); ++i) {
-    const Budget& budget = stream_.budgets[i];
-    const bool asks =
-        budget.cause == InterruptCause::look ? is_update : is_update == budget.in_update && !budget.in_flush;
-    if (budget.device == device && asks) raise(i, release, now);
+    if (asks_at_end_[i] && asks(stream_.budgets[i], device, is_update)) raise(i, release, now);
   }
 }
 

@@ -9,8 +9,9 @@
 
 namespace finemote::gen {
 
-/// Requests come at once when a stage ends that asks, or a flush begins; transfers until what was asked for has ended,
-/// or until the next release where nobody knows when that is; of a line, so many come from one look to the next.
+/// Requests come at once when a stage asks, where it begins or ends, or a flush begins; transfers until what was asked
+/// for has ended, or until the next release where nobody knows when that is; of a line, so many come from one look to
+/// the next.
 class CausedArrivals {
  public:
   /// Everything must outlive this.
@@ -24,12 +25,15 @@ class CausedArrivals {
   /// Called when `next()` has arrived; releases are nothing to it.
   void advance(Duration) { planned_.pop_front(); }
 
-  /// A stage of the job released at `release` has ended now.
+  /// A stage of the job released at `release` begins now.
+  void stage_began(Rank device, bool is_update, Duration release, Duration now);
+  /// It has ended now.
   void stage_ended(Rank device, bool is_update, Duration release, Duration now);
   /// All handles of the bucket's job released at `release` have ended now.
   void flush_began(std::size_t bucket, Duration release, Duration now);
 
  private:
+  static bool asks(const timing::Stream::Budget& budget, Rank device, bool is_update);
   void raise(std::size_t budget, Duration release, Duration now);
   [[nodiscard]] Duration begin_of(const timing::Stream::Budget& budget, Duration now, Duration latest);
   void ask(const timing::Stream::Budget& budget, Duration from, Duration latest);
@@ -41,6 +45,7 @@ class CausedArrivals {
   std::deque<Duration> planned_;         ///< rising
   Duration free_from_;                   ///< the separation from the one planned last
   std::vector<std::int64_t> jobs_left_;  ///< per budget: before one may ask again
+  std::vector<bool> asks_at_end_;        ///< per budget: of the stage that runs, and not at its begin
 };
 
 }  // namespace finemote::gen

@@ -199,6 +199,7 @@ class Simulator {
       return;
     }
     const Rank d = pieces.device(job.piece);
+    for (Arrivals& a : arrivals_) a.stage_began(d, is_update, job.release, now_);
     Duration least;
     if (options_.profile == timing::Profile::target)
       least = is_update ? model_.devices[d].update_bcet : model_.devices[d].handle_bcet;

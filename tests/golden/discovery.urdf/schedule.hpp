@@ -25,9 +25,9 @@ namespace bounds {
 inline constexpr finemote::Bounds imu{254359, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds depth{525305, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds button{525305, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{525305, 24045293, 24140929};
-inline constexpr finemote::Bounds green_led{523269, 24043257, 24140929};
-inline constexpr finemote::Bounds blue_led{519862, 24039916, 24140863};
+inline constexpr finemote::Bounds servo{525305, 24039719, 24135355};
+inline constexpr finemote::Bounds green_led{523269, 24037683, 24135355};
+inline constexpr finemote::Bounds blue_led{519862, 24034277, 24135224};
 inline constexpr finemote::Bounds station{516582, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 

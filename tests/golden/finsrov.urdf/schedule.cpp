@@ -74,19 +74,19 @@ namespace {
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
     {0, 379844, finemote::kNothingToBound, nullptr},  // imu
-    {1, 960489, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 957788, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 955022, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 944228, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 941528, 31255064, &rov::thruster_1.command},  // thruster_1
-    {1, 936886, 31250423, &rov::thruster_2.command},  // thruster_2
-    {1, 932179, 31243118, &rov::thruster_3.command},  // thruster_3
-    {1, 927538, 31238472, &rov::thruster_4.command},  // thruster_4
-    {1, 920228, 31233759, &rov::thruster_5.command},  // thruster_5
-    {1, 915592, 31229124, &rov::thruster_6.command},  // thruster_6
-    {1, 910885, 31221819, &rov::thruster_7.command},  // thruster_7
-    {1, 906244, 31211686, &rov::thruster_8.command},  // thruster_8
-    {1, 898939, finemote::kNothingToBound, nullptr},  // rov
+    {1, 894361, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 891595, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 888895, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 886195, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 883495, 31164188, &rov::thruster_1.command},  // thruster_1
+    {1, 876190, 31159481, &rov::thruster_2.command},  // thruster_2
+    {1, 871549, 31154840, &rov::thruster_3.command},  // thruster_3
+    {1, 866842, 31142104, &rov::thruster_4.command},  // thruster_4
+    {1, 854100, 31137391, &rov::thruster_5.command},  // thruster_5
+    {1, 849465, 31132756, &rov::thruster_6.command},  // thruster_6
+    {1, 844758, 31125452, &rov::thruster_7.command},  // thruster_7
+    {1, 840117, 31120810, &rov::thruster_8.command},  // thruster_8
+    {1, 835409, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -23,19 +23,19 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds imu{374424, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{889181, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{889181, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{889181, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{889181, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{889181, 31193489, 35012914};
-inline constexpr finemote::Bounds thruster_2{887240, 31191547, 35028775};
-inline constexpr finemote::Bounds thruster_3{885299, 31189541, 35028710};
-inline constexpr finemote::Bounds thruster_4{883358, 31187599, 35028776};
-inline constexpr finemote::Bounds thruster_5{881411, 31183055, 35026179};
-inline constexpr finemote::Bounds thruster_6{876812, 31181120, 35026179};
-inline constexpr finemote::Bounds thruster_7{874871, 31179113, 35026113};
-inline constexpr finemote::Bounds thruster_8{872930, 31177172, 35026113};
-inline constexpr finemote::Bounds rov{870989, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{823054, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{823054, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{823054, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{823054, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{823054, 31102481, 34921906};
+inline constexpr finemote::Bounds thruster_2{821113, 31100540, 34937768};
+inline constexpr finemote::Bounds thruster_3{819171, 31098599, 34937768};
+inline constexpr finemote::Bounds thruster_4{817164, 31096658, 34937835};
+inline constexpr finemote::Bounds thruster_5{815217, 31092048, 34935172};
+inline constexpr finemote::Bounds thruster_6{813282, 31090113, 34935172};
+inline constexpr finemote::Bounds thruster_7{808744, 31088171, 34935171};
+inline constexpr finemote::Bounds thruster_8{806737, 31086230, 34935171};
+inline constexpr finemote::Bounds rov{804796, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

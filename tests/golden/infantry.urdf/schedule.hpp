@@ -30,15 +30,15 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{184382, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{181030, 28445283, 28803395};
-inline constexpr finemote::Bounds pitch{176356, 28440609, 28803395};
+inline constexpr finemote::Bounds imu{177534, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{174182, 28438435, 28796547};
+inline constexpr finemote::Bounds pitch{169509, 28433762, 28796548};
 inline constexpr finemote::Bounds gimbal{202322, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{272194, 26536347, 26938931};
-inline constexpr finemote::Bounds front_right{267777, 26531930, 26938931};
-inline constexpr finemote::Bounds rear_left{263354, 26527507, 26938931};
-inline constexpr finemote::Bounds rear_right{258936, 26523089, 26938930};
-inline constexpr finemote::Bounds chassis{254513, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{265347, 26529500, 26932084};
+inline constexpr finemote::Bounds front_right{260930, 26525083, 26932084};
+inline constexpr finemote::Bounds rear_left{256506, 26520659, 26932083};
+inline constexpr finemote::Bounds rear_right{252089, 26516242, 26932083};
+inline constexpr finemote::Bounds chassis{247666, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds remote{348175, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 

@@ -74,13 +74,13 @@ namespace {
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
     {1, 363217, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 260165, 29421213, &arm::base.command},  // base
-    {0, 253047, 29414095, &arm::shoulder.command},  // shoulder
-    {0, 245924, 29406972, &arm::elbow.command},  // elbow
-    {0, 238806, 29399854, &arm::wrist_roll.command},  // wrist_roll
-    {0, 213928, 29374976, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 206811, 29367859, &arm::flange.command},  // flange
-    {0, 199687, finemote::kNothingToBound, nullptr},  // arm
+    {0, 246470, 29407518, &arm::base.command},  // base
+    {0, 239352, 29400400, &arm::shoulder.command},  // shoulder
+    {0, 214474, 29375522, &arm::elbow.command},  // elbow
+    {0, 207357, 29368405, &arm::wrist_roll.command},  // wrist_roll
+    {0, 200234, 29361282, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 187495, 29348543, &arm::flange.command},  // flange
+    {0, 180372, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -23,13 +23,13 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds sticks{311260, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{213608, 28893288, 29210653};
-inline constexpr finemote::Bounds shoulder{209191, 28888871, 29210654};
-inline constexpr finemote::Bounds elbow{204768, 28884448, 29210654};
-inline constexpr finemote::Bounds wrist_roll{200351, 28880031, 29210654};
-inline constexpr finemote::Bounds wrist_pitch{190306, 28869986, 29205032};
-inline constexpr finemote::Bounds flange{185889, 28865569, 29205032};
-inline constexpr finemote::Bounds arm{181466, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{199913, 28879594, 29196959};
+inline constexpr finemote::Bounds shoulder{189875, 28869555, 29191338};
+inline constexpr finemote::Bounds elbow{185452, 28865132, 29191338};
+inline constexpr finemote::Bounds wrist_roll{181035, 28860715, 29191338};
+inline constexpr finemote::Bounds wrist_pitch{176611, 28856291, 29191337};
+inline constexpr finemote::Bounds flange{172194, 28851874, 29191337};
+inline constexpr finemote::Bounds arm{167771, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm

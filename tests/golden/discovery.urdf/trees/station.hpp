@@ -34,14 +34,14 @@ FINEMOTE_CONSTINIT inline finemote::Key button{
     /*line*/ finemote::GpioPin{finemote::ports::gpio, finemote::pin_number('A', 0)}};
 
 /// servo: pwm_servo on 'servo_pulses' channel 0, every 10 ms
-/// response <= 525.305 us; data age <= 24.046 ms when handle() ends, <= 24.141 ms at the output (oldest: station)
+/// response <= 525.305 us; data age <= 24.04 ms when handle() ends, <= 24.136 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::PwmServo servo{
     finemote::PwmServo::Config{},
     /*range*/ nullptr,
     finemote::PwmChannel{servo_pulses, 0}};
 
 /// green_led: led on 'green' channel 0, every 10 ms
-/// response <= 523.269 us; data age <= 24.044 ms when handle() ends, <= 24.141 ms at the output (oldest: station)
+/// response <= 523.269 us; data age <= 24.038 ms when handle() ends, <= 24.136 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led green_led{
     finemote::Led::Config{},
     finemote::PwmChannel{green, 0},
@@ -49,7 +49,7 @@ FINEMOTE_CONSTINIT inline finemote::Led green_led{
     /*blue*/ nullptr};
 
 /// blue_led: led on 'blue' channel 0, every 10 ms
-/// response <= 519.862 us; data age <= 24.04 ms when handle() ends, <= 24.141 ms at the output (oldest: station)
+/// response <= 519.862 us; data age <= 24.035 ms when handle() ends, <= 24.136 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led blue_led{
     finemote::Led::Config{},
     finemote::PwmChannel{blue, 0},
