@@ -57,6 +57,12 @@ timing::TaskSet task_set_of(const timing::Model& model, timing::Profile profile)
   return timing::analyse_deadlines(model, profile).set;
 }
 
+/// Of a stage: nothing but profile `target` knows any.
+Duration least_time(const timing::Device& device, bool is_update, timing::Profile profile) {
+  if (profile != timing::Profile::target) return {};
+  return is_update ? device.update_bcet : device.handle_bcet;
+}
+
 /// One processor: interrupts before jobs, jobs by the rank of their buckets.
 class Simulator {
  public:
@@ -191,27 +197,22 @@ class Simulator {
     job.piece_begin = now_;
     if (job.begin < Duration::zero()) job.begin = now_;
     const bool is_update = pieces.is_update(job.piece);
-    if (pieces.is_last(job.piece) && !pieces.is_handle(job.piece)) {
-      for (Arrivals& a : arrivals_) a.flush_began(w, job.release, now_);
-    }
     if (!is_update && !pieces.is_handle(job.piece)) {
+      if (!pieces.is_entry(job.piece)) flush_began(w, job);
       job.left = lengths_.draw({}, pieces.worst(job.piece));
       return;
     }
     const Rank d = pieces.device(job.piece);
     for (Arrivals& a : arrivals_) a.stage_began(d, is_update, job.release, now_);
-    Duration least;
-    if (options_.profile == timing::Profile::target)
-      least = is_update ? model_.devices[d].update_bcet : model_.devices[d].handle_bcet;
-    job.left = lengths_.draw(least, pieces.worst(job.piece));
-    if (is_update) {
-      update_begin_[d] = now_;
-      flow_.begin_update(d, now_);
-    } else {
-      flow_.begin_handle(d, now_);
-    }
+    job.left = lengths_.draw(least_time(model_.devices[d], is_update, options_.profile), pieces.worst(job.piece));
+    if (is_update) update_begin_[d] = now_;
+    is_update ? flow_.begin_update(d, now_) : flow_.begin_handle(d, now_);
     reporter_.inputs(d, is_update, now_);
     steps_ += static_cast<std::int64_t>(flow_.width(d));
+  }
+
+  void flush_began(std::size_t w, const JobState& job) {
+    for (Arrivals& a : arrivals_) a.flush_began(w, job.release, now_);
   }
 
   void end_piece(std::size_t w, JobState& job) {

@@ -53,8 +53,8 @@ class Restless {
     }
   }
 
-  /// At most this long, and then it is up to 102 us to the next instant of releases: what runs next is there when others
-  /// are released. Right in the first four seconds.
+  /// At most this long, and then it is up to 102 us to the next instant of releases: what runs next is there when
+  /// others are released. Right in the first four seconds.
   [[nodiscard]] finemote::Duration until_release(finemote::Duration most) const {
     constexpr std::uint32_t kBetweenReleases = 500'000, kStep = 400;  // ns
     const auto at = static_cast<std::uint32_t>(finemote::now());
