@@ -11,28 +11,6 @@ namespace {
 
 using Budget = Stream::Budget;
 
-bool are_alike(const Budget& a, const Budget& b) {
-  return a.period == b.period && a.carry_in == b.carry_in && a.every == 1 && b.every == 1 && a.jitter == b.jitter &&
-         a.separation == b.separation && a.most == kUnlimited && b.most == kUnlimited;
-}
-
-/// Budgets that grow at the same instants are one: large robots have thousands.
-void join_alike(std::vector<Budget>& budgets) {
-  const auto key = [](const Budget& b) {
-    return std::tuple(b.most, b.every, b.period, b.jitter, b.carry_in, b.separation);
-  };
-  std::stable_sort(budgets.begin(), budgets.end(), [&](const Budget& a, const Budget& b) { return key(a) < key(b); });
-  std::vector<Budget> joined;
-  for (const Budget& budget : budgets) {
-    if (!joined.empty() && are_alike(joined.back(), budget)) {
-      joined.back().count = add(joined.back().count, budget.count);
-    } else {
-      joined.push_back(budget);
-    }
-  }
-  budgets = std::move(joined);
-}
-
 /// Gathers what the stages of a job raise, in any order.
 class Gathered {
  public:

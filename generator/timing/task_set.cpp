@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "generator/timing/one_wire.hpp"
 
 namespace finemote::gen::timing {
 namespace {
+
+bool are_alike(const Stream::Budget& a, const Stream::Budget& b) {
+  return a.period == b.period && a.carry_in == b.carry_in && a.every == 1 && b.every == 1 && a.jitter == b.jitter &&
+         a.separation == b.separation && a.most == kUnlimited && b.most == kUnlimited;
+}
 
 bool is_free(const Stream& stream) { return stream.cost == Duration::zero(); }
 
@@ -106,6 +112,23 @@ void add_buckets(const Model& model, Profile profile, TaskSet& set) {
 }
 
 }  // namespace
+
+void join_alike(std::vector<Stream::Budget>& budgets) {
+  const auto key = [](const Stream::Budget& b) {
+    return std::tuple(b.most, b.every, b.period, b.jitter, b.carry_in, b.separation);
+  };
+  std::stable_sort(budgets.begin(), budgets.end(),
+                   [&](const Stream::Budget& a, const Stream::Budget& b) { return key(a) < key(b); });
+  std::vector<Stream::Budget> joined;
+  for (const Stream::Budget& budget : budgets) {
+    if (!joined.empty() && are_alike(joined.back(), budget)) {
+      joined.back().count = add(joined.back().count, budget.count);
+    } else {
+      joined.push_back(budget);
+    }
+  }
+  budgets = std::move(joined);
+}
 
 Duration TaskSet::lag(Duration stage, Duration consumer_period) const {
   if (least_lag == Duration::zero() || stage > Duration::zero()) return {};

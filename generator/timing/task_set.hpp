@@ -97,6 +97,9 @@ struct TaskSet {
   [[nodiscard]] Duration lag(Duration stage, Duration consumer_period) const;
 };
 
+/// Budgets that grow at the same instants become one, whoever causes them: large robots have thousands.
+void join_alike(std::vector<Stream::Budget>& budgets);
+
 /// Requires a model that read_model accepts. May throw Overflow.
 TaskSet make_task_set(const Model& model, Profile profile);
 

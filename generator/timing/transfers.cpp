@@ -20,7 +20,14 @@ bool share_slot(const Flush& a, const Flush& b) {
 
 TransferBounds::TransferBounds(const Model& model, Profile profile, const TaskSet& set, const Responses& responses,
                                Effort& effort)
-    : model_(model), profile_(profile), set_(set), responses_(responses), effort_(effort) {
+    : model_(model),
+      profile_(profile),
+      set_(set),
+      responses_(responses),
+      effort_(effort),
+      streams_(set.streams),
+      is_saturated_(is_saturated(set, 0)) {
+  for (Stream& stream : streams_) join_alike(stream.budgets);
   collect();
   add_load();
 }
@@ -30,8 +37,8 @@ TransferBounds::TransferBounds(const Model& model, Profile profile, const TaskSe
 /// interrupt work that arrives while the transfer lasts, plus one masked section each. Both are bounds; the smaller
 /// counts. Where its own routines are known, they stand for all that transfers cause on its bus meanwhile.
 Duration TransferBounds::with_service(const Item& item, std::int64_t interrupts, Duration service) const {
-  if (profile_ != Profile::target || interrupts == 0 || is_saturated(set_, 0)) return item.pure;
-  std::vector<Stream> streams = set_.streams;
+  if (profile_ != Profile::target || interrupts == 0 || is_saturated_) return item.pure;
+  std::vector<Stream> streams = streams_;
   if (service > Duration::zero()) {
     service += interrupts * model_.costs.interrupt;
     std::erase_if(streams, [&](const Stream& s) { return s.of_transfers && s.place == item.bus; });

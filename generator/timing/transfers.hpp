@@ -99,6 +99,8 @@ class TransferBounds {
   const TaskSet& set_;
   const Responses& responses_;
   Effort& effort_;
+  std::vector<Stream> streams_;  ///< of any window
+  bool is_saturated_;            ///< by them alone
   std::vector<Item> items_;
   Table<Rank, std::vector<std::size_t>> item_of_;  ///< per transfer
   std::vector<std::optional<std::size_t>> flush_item_;

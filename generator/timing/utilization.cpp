@@ -73,15 +73,25 @@ bool hyperbolic_holds(const std::vector<BucketShare>& list) {
   return left <= right;
 }
 
+/// One for each length after which budgets allow more: large robots have thousands of budgets, and few such lengths.
+std::vector<BucketShare> shares_of_budgets(const Stream& stream) {
+  std::map<Duration, Duration> cost_in;
+  for (const Stream::Budget& b : stream.budgets) cost_in[b.period * b.every] += b.count * stream.cost;
+  std::vector<BucketShare> list;
+  for (const auto& [period, cost] : cost_in) list.push_back({cost, period});
+  return list;
+}
+
 /// Adds the long-run rate of a stream: of its separation, or of its budgets where they are slower.
 void add_rate(const Stream& stream, Fraction& total) {
+  const std::vector<BucketShare> list = shares_of_budgets(stream);
   Fraction budgets;
-  for (const Stream::Budget& b : stream.budgets) budgets.add({b.count * stream.cost, b.period * b.every});
+  for (const BucketShare& share : list) budgets.add(share);
   const BucketShare separation{stream.cost, stream.separation};
-  const bool slower = !stream.budgets.empty() &&
-                      budgets.numerator() * separation.period.ns() < budgets.denominator() * separation.cost.ns();
+  const bool slower =
+      !list.empty() && budgets.numerator() * separation.period.ns() < budgets.denominator() * separation.cost.ns();
   if (!slower) return total.add(separation);
-  for (const Stream::Budget& b : stream.budgets) total.add({b.count * stream.cost, b.period * b.every});
+  for (const BucketShare& share : list) total.add(share);
 }
 
 }  // namespace
