@@ -4,6 +4,7 @@
 
 namespace finemote::gen {
 
+using timing::AskedIn;
 using timing::InterruptCause;
 using Budget = timing::Stream::Budget;
 
@@ -17,7 +18,7 @@ CausedArrivals::CausedArrivals(const timing::Stream& stream, const timing::TaskS
 bool CausedArrivals::asks(const Budget& budget, Rank device, bool is_update) {
   if (budget.device != device) return false;
   if (budget.cause == InterruptCause::look) return is_update;
-  return is_update == budget.in_update && !budget.in_flush;
+  return budget.asked_in == (is_update ? AskedIn::update : AskedIn::handle);
 }
 
 bool CausedArrivals::cause(const timing::Stream& stream) {
@@ -44,7 +45,9 @@ void CausedArrivals::stage_ended(Rank device, bool is_update, Duration release, 
 void CausedArrivals::flush_began(std::size_t bucket, Duration release, Duration now) {
   for (std::size_t i = 0; i < stream_.budgets.size(); ++i) {
     const Budget& budget = stream_.budgets[i];
-    if (budget.in_flush && set_.bucket_of[budget.device] == bucket) raise(i, release, now);
+    if (budget.cause != InterruptCause::look && budget.asked_in == AskedIn::flush &&
+        set_.bucket_of[budget.device] == bucket)
+      raise(i, release, now);
   }
 }
 
@@ -70,11 +73,14 @@ Duration CausedArrivals::begin_of(const Budget& budget, Duration now, Duration l
   }
 }
 
-/// Plans the interrupts of one budget as soon as the line allows; those that would come too late do not.
+/// Plans the interrupts of one budget as soon as the line allows; those that would come too late do not. What is asked
+/// for at any distance is asked for at once.
 void CausedArrivals::ask(const Budget& budget, Duration from, Duration latest) {
-  Duration at = std::max(from, free_from_);
+  const bool is_at_once = budget.cause == InterruptCause::request && stream_.separation == nanoseconds(1);
+  Duration at = is_at_once ? from : std::max(from, free_from_);
   for (std::int64_t n = 0; n < budget.count && at <= latest; ++n) {
     planned_.push_back(at);
+    if (is_at_once) continue;
     at += stream_.separation;
     free_from_ = at;
   }

@@ -39,6 +39,7 @@ class Pieces {
   [[nodiscard]] bool is_entry(std::size_t piece) const { return piece == 0; }
   [[nodiscard]] bool is_update(std::size_t piece) const { return piece >= 1 && piece <= count(); }
   [[nodiscard]] bool is_handle(std::size_t piece) const { return piece > count() && piece <= 2 * count(); }
+  [[nodiscard]] bool is_flush(std::size_t piece) const { return piece > 2 * count(); }
   /// Of an update or a handle.
   [[nodiscard]] Rank device(std::size_t piece) const {
     return bucket_.devices[piece <= count() ? piece - 1 : 2 * count() - piece];

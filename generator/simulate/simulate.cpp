@@ -177,6 +177,7 @@ class Simulator {
   void run_job(std::size_t w, Duration event) {
     JobState& job = jobs_[w];
     if (!job.piece_begun) begin_piece(w, job);
+    if (next_event() <= now_ && job.left > Duration::zero()) return;  // what its begin has raised comes first
     const Duration end = now_ + job.left;
     if (end <= event) {
       now_ = end;
@@ -197,8 +198,8 @@ class Simulator {
     job.piece_begin = now_;
     if (job.begin < Duration::zero()) job.begin = now_;
     const bool is_update = pieces.is_update(job.piece);
+    if (pieces.is_flush(job.piece)) flush_began(w, job);
     if (!is_update && !pieces.is_handle(job.piece)) {
-      if (!pieces.is_entry(job.piece)) flush_began(w, job);
       job.left = lengths_.draw({}, pieces.worst(job.piece));
       return;
     }

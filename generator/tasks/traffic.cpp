@@ -77,6 +77,11 @@ Transfer::After after(FrameStage stage) {
   return Transfer::After::autonomous;
 }
 
+AskedIn asked_in(FrameStage stage) {
+  if (stage == FrameStage::update) return AskedIn::update;
+  return stage == FrameStage::flush ? AskedIn::flush : AskedIn::handle;
+}
+
 }  // namespace
 
 Traffic::Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses,
@@ -189,8 +194,7 @@ void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, FrameStag
   const bool together = use.in_one_request || bus_type(robot_.buses[places_.buses()[bus]].kind).is_mastered;
   FrameBudget budget{place, together ? 1 : use.ends, every, {}};
   budget.cause = InterruptCause::request;
-  budget.in_update = stage == FrameStage::update;
-  budget.in_flush = stage == FrameStage::flush;
+  budget.asked_in = asked_in(stage);
   allow(bus, DriverSource::Counts::requests, budget);
   budget.cause = InterruptCause::transfer;
   budget.count = use.steps;

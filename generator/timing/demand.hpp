@@ -55,12 +55,14 @@ class Demand {
 
   /// Which stages of the job run in the window: all of them, if nobody says so.
   void run(const Stages& stages) {
-    if (stages_ == stages) return;
-    stages_ = stages;
+    const auto differs = [&](const Raised& raised) { return raised.in(stages) != raised.in(stages_); };
     for (std::size_t i = 0; i < stream_steps_.size(); ++i) {
-      if (!(*streams_)[i].raised.empty()) stream_steps_[i] = {};
+      const std::vector<Raised>& raised = (*streams_)[i].raised;
+      if (std::none_of(raised.begin(), raised.end(), differs)) continue;
+      stream_steps_[i] = {};
+      begin_ = kNever, end_ = {};
     }
-    begin_ = kNever, end_ = {};
+    stages_ = stages;
   }
 
   /// Lets the next query be smaller than the last one.
@@ -118,24 +120,18 @@ class Demand {
     if (!s.has_budgets()) return apart();
     Duration end = kNever;
     std::int64_t by_budget = 0;
+    const auto count_apart = [&](std::int64_t count, Duration separation, Duration count_end) {
+      const std::int64_t apart = separation > Duration::zero() ? ceil_div(x, separation) : kUnlimited;
+      end = std::min(end, apart < count ? flat_to({}, apart, separation) : count_end);
+      by_budget = gen::add(by_budget, std::min(count, apart));
+    };
     for (const Stream::Budget& b : s.budgets) {
       const std::int64_t periods = ceil_div(x + b.jitter, b.period);
       const std::int64_t count = multiply(b.count, ceil_div(gen::add(periods, b.carry_in), b.every));
-      const std::int64_t apart = b.separation > Duration::zero() ? ceil_div(x, b.separation) : kUnlimited;
-      if (apart < std::min(count, b.most)) {
-        end = std::min(end, flat_to({}, apart, b.separation));
-      } else if (count < b.most) {
-        end = std::min(end, flat_to(-b.jitter, periods, b.period));
-      }
-      by_budget = gen::add(by_budget, std::min({count, b.most, apart}));
+      const Duration count_end = count < b.most ? flat_to(-b.jitter, periods, b.period) : kNever;
+      count_apart(std::min(count, b.most), b.separation, count_end);
     }
-    for (const Raised& raised : s.raised) {
-      const std::int64_t count = raised.in(stages_);
-      const Duration separation = raised.separation();
-      const std::int64_t apart = separation > Duration::zero() ? ceil_div(x, separation) : kUnlimited;
-      if (apart < count) end = std::min(end, flat_to({}, apart, separation));
-      by_budget = gen::add(by_budget, std::min(count, apart));
-    }
+    for (const Raised& raised : s.raised) count_apart(raised.in(stages_), raised.separation(), kNever);
     // None of the two gets smaller, so the step of the smaller one holds. The other may be too large to be a time.
     return by_budget <= by_separation ? Step{end, by_budget * s.cost} : apart();
   }

@@ -14,18 +14,12 @@ using Budget = Stream::Budget;
 /// Gathers what the stages of a job raise, in any order.
 class Gathered {
  public:
-  struct Kind {
-    Duration separation;
-    bool goes_on = false;
-    std::int64_t most = kUnlimited;
-    friend auto operator<=>(const Kind&, const Kind&) = default;
-  };
-
-  void add(const Kind& kind, std::size_t place, std::int64_t count) { stages_.push_back({kind, place, count}); }
+  void add(const Raised::Kind& kind, std::size_t place, std::int64_t count) { stages_.push_back({kind, place, count}); }
   /// Whichever of these stages runs raises one more, and not one each.
   void add_one_of_any() {
     const std::size_t size = stages_.size();
-    for (std::size_t i = 0; i < size; ++i) stages_.push_back({{{}, false, 1}, stages_[i].place, 1});
+    const Raised::Kind one{0, {}, false, 1};
+    for (std::size_t i = 0; i < size; ++i) stages_.push_back({one, stages_[i].place, 1});
   }
 
   [[nodiscard]] std::vector<Raised> sums() && {
@@ -34,7 +28,7 @@ class Gathered {
     std::vector<Raised> sums;
     for (std::size_t i = 0; i < stages_.size(); ++i) {
       const auto& [kind, place, count] = stages_[i];
-      if (i == 0 || kind != stages_[i - 1].kind) sums.emplace_back(kind.separation, kind.goes_on, kind.most);
+      if (i == 0 || kind != stages_[i - 1].kind) sums.emplace_back(kind);
       sums.back().add(place, count);
     }
     return sums;
@@ -42,12 +36,15 @@ class Gathered {
 
  private:
   struct Stage {
-    Kind kind;
+    Raised::Kind kind;
     std::size_t place;
     std::int64_t count;
   };
   std::vector<Stage> stages_;
 };
+
+/// Where a window begins.
+enum class Begin { before_job, in_job };
 
 /// The streams in windows of the jobs of one bucket.
 class JobWindows {
@@ -57,53 +54,57 @@ class JobWindows {
   JobWindows(const TaskSet& set, std::size_t bucket, std::optional<Duration> early)
       : set_(set), bucket_(bucket), early_(early) {}
 
-  [[nodiscard]] JobStreams all() const { return {streams(false), streams(true)}; }
+  [[nodiscard]] JobStreams all() const { return {streams(Begin::before_job), streams(Begin::in_job)}; }
 
  private:
-  [[nodiscard]] std::vector<Stream> streams(bool begins_in_job) const {
+  [[nodiscard]] std::vector<Stream> streams(Begin begin) const {
     std::vector<Stream> all = set_.streams;
     for (Stream& stream : all) {
-      Gathered own;
-      std::erase_if(stream.budgets,
-                    [&](const Budget& b) { return is_own(b) && gather(stream, begins_in_job, b, own); });
+      Gathered own = gather(stream, begin);
       for (Budget& budget : stream.budgets) narrow(stream, budget);
-      keep_one_masked_request(begins_in_job, stream.budgets, own);
+      keep_one_masked_request(begin, stream.budgets, own);
       stream.raised = std::move(own).sums();
       join_alike(stream.budgets);
     }
     return all;
   }
 
-  /// Takes what the job itself raises. Returns false where any window's budget stays.
-  bool gather(const Stream& stream, bool begins_in_job, const Budget& budget, Gathered& own) const {
-    const TaskBucket& job = set_.buckets[bucket_];
-    switch (budget.cause) {
-      case InterruptCause::clock:
-        return false;
-      case InterruptCause::request:
-        own.add({budget.separation}, asked_at(budget), budget.count);
-        return true;
-      case InterruptCause::transfer: {
-        const auto ended = set_.ended[*stream.place][bucket_];
-        // By the release those of the job before have ended.
-        const bool are_its_own = ended && (begins_in_job || (early_ && *ended + *early_ <= job.period));
-        if (are_its_own) own.add({budget.separation, true}, asked_at(budget), budget.count);
-        return are_its_own;
-      }
-      case InterruptCause::look:
-        own.add({budget.separation, true}, 0, budget.count);  // left from the look before
-        own.add({budget.separation}, TaskBucket::update_place(set_.place_of[budget.device]), budget.count);
-        return true;
+  /// Takes what the job itself raises out of the budgets of the stream, but for what counts as in any window.
+  Gathered gather(Stream& stream, Begin begin) const {
+    Gathered own;
+    const auto left = std::stable_partition(stream.budgets.begin(), stream.budgets.end(),
+                                            [&](const Budget& b) { return is_own(b) && is_raised(stream, begin, b); });
+    for (auto budget = stream.budgets.begin(); budget != left; ++budget) raise(*budget, own);
+    stream.budgets.erase(stream.budgets.begin(), left);
+    return own;
+  }
+
+  /// Whether windows hold no more than what the stages of one job of their own raise.
+  [[nodiscard]] bool is_raised(const Stream& stream, Begin begin, const Budget& budget) const {
+    if (budget.cause == InterruptCause::clock) return false;
+    if (budget.cause != InterruptCause::transfer) return true;
+    // Those of the job before have ended by the release, and where the window begins.
+    const auto ended = set_.ended[*stream.place][bucket_];
+    if (begin == Begin::in_job || !ended) return ended.has_value();
+    return early_ && *ended + *early_ <= set_.buckets[bucket_].period;
+  }
+
+  void raise(const Budget& budget, Gathered& own) const {
+    const Raised::Kind stage{budget.kind, budget.separation}, and_behind{budget.kind, budget.separation, true};
+    if (budget.cause == InterruptCause::look) {
+      own.add(and_behind, 0, budget.count);  // left from the look before
+      own.add(stage, TaskBucket::update_place(set_.place_of[budget.device]), budget.count);
+    } else {
+      own.add(budget.cause == InterruptCause::transfer ? and_behind : stage, asked_at(budget), budget.count);
     }
-    return false;
   }
 
   /// The stage of the own job that asks.
   [[nodiscard]] std::size_t asked_at(const Budget& budget) const {
     const TaskBucket& job = set_.buckets[bucket_];
-    if (budget.in_flush) return job.flush_place();
+    if (budget.asked_in == AskedIn::flush) return job.flush_place();
     const std::size_t device = set_.place_of[budget.device];
-    return budget.in_update ? TaskBucket::update_place(device) : job.handle_place(device);
+    return budget.asked_in == AskedIn::update ? TaskBucket::update_place(device) : job.handle_place(device);
   }
 
   /// What jobs of other buckets raise.
@@ -138,15 +139,20 @@ class JobWindows {
 
   /// At the begin of a window at most one lower-priority stage is in a masked section, and has asked for one transfer:
   /// none where the job runs already. Or a lower-priority job has put frames into their slots and not asked yet: the
-  /// next request takes them along, for which this one stands.
-  void keep_one_masked_request(bool begins_in_job, std::vector<Budget>& budgets, Gathered& own) const {
-    const auto is_masked = [&](const Budget& b) { return b.cause == InterruptCause::request && is_lower_priority(b); };
-    const auto first = std::find_if(budgets.begin(), budgets.end(), is_masked);
-    if (first == budgets.end()) return;
-    const bool is_anywhere = !begins_in_job || !std::all_of(budgets.begin(), budgets.end(), is_masked);
+  /// next request takes them along, for which this one stands; of stages of the job, of any that asks.
+  static void keep_one(Begin begin, std::vector<Budget>& budgets, std::vector<Budget>::iterator masked, Gathered& own) {
+    const bool others_ask = std::any_of(budgets.begin(), masked, [](const Budget& b) { return b.count > 0; });
+    const bool is_anywhere = begin == Begin::before_job || others_ask;
     if (!is_anywhere) own.add_one_of_any();
-    first->most = is_anywhere ? 1 : 0;
-    budgets.erase(std::remove_if(first + 1, budgets.end(), is_masked), budgets.end());
+    masked->most = is_anywhere ? 1 : 0;
+    budgets.erase(masked + 1, budgets.end());
+  }
+
+  void keep_one_masked_request(Begin begin, std::vector<Budget>& budgets, Gathered& own) const {
+    const auto masked = std::stable_partition(budgets.begin(), budgets.end(), [&](const Budget& b) {
+      return b.cause != InterruptCause::request || !is_lower_priority(b) || b.count == 0;
+    });
+    if (masked != budgets.end()) keep_one(begin, budgets, masked, own);
   }
 
   [[nodiscard]] bool is_own(const Budget& budget) const { return set_.bucket_of[budget.device] == bucket_; }

@@ -42,8 +42,7 @@ Json source_json(const Model& model, const InterruptSource& source) {
     add_if(budget, "interval_ns", b.interval);
     if (b.carry_in != 1) budget["carry_in"] = b.carry_in;
     if (b.cause != InterruptCause::clock) budget["cause"] = word_of(b.cause, kCauseWords);
-    if (b.in_update) budget["in_update"] = true;
-    if (b.in_flush) budget["in_flush"] = true;
+    if (b.asked_in != AskedIn::handle) budget["asked_in"] = word_of(b.asked_in, kAskedInWords);
     out["budgets"].push_back(std::move(budget));
   }
   if (source.of_transfers) out["of_transfers"] = true;

@@ -20,8 +20,11 @@ enum class InterruptCause {
   clock,     ///< nothing that our jobs do: a part that sends by itself, or nobody knows
   request,   ///< a stage or flush that asks for a transfer, at once
   transfer,  ///< the transfer asked for: after the request, and before the end of the transfer
-  look,      ///< a look at a line by a stage of the device: it allows so many until the next look
+  look,      ///< a look at a line by update() of the device: it allows so many until the next look
 };
+
+/// What of a job asks for a transfer: a stage of the device, or the flush behind all of them.
+enum class AskedIn { handle, update, flush };
 
 /// What an execution time rests on: nothing that the model says, a type's default, what the user declares, the longest
 /// that was seen, a bound that was computed from the image.
@@ -36,8 +39,7 @@ struct FrameBudget {
   Duration interval;          ///< of what its part sends by itself; 0: the period of the device
   std::int64_t carry_in = 1;  ///< periods before a window whose interrupts can still come in it
   InterruptCause cause = InterruptCause::clock;
-  bool in_update = false;  ///< request, transfer: update() asks; else handle() or the flush of the job
-  bool in_flush = false;   ///< the same: the flush asks
+  AskedIn asked_in = AskedIn::handle;  ///< request, transfer
 };
 
 /// A pin that a device has to itself.

@@ -21,6 +21,9 @@ inline constexpr Word<InterruptCause> kCauseWords[] = {{InterruptCause::clock, "
                                                        {InterruptCause::transfer, "transfer"},
                                                        {InterruptCause::look, "look"}};
 
+inline constexpr Word<AskedIn> kAskedInWords[] = {
+    {AskedIn::handle, "handle"}, {AskedIn::update, "update"}, {AskedIn::flush, "flush"}};
+
 inline constexpr Word<UnknownAge> kUnknownAgeWords[] = {{UnknownAge::none, "none"},
                                                         {UnknownAge::no_acquisition, "no_acquisition"},
                                                         {UnknownAge::sent_by_itself, "sent_by_itself"},

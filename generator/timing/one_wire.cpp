@@ -19,8 +19,11 @@ void add_kind(const Stream& kind, Stream& kinds) {
 
 /// One of several kinds: it comes no more often than by itself, and two of different kinds are `slack` closer than two
 /// of one.
-void prepare(Stream& kind, Duration slack) {
-  for (Stream::Budget& budget : kind.budgets) budget.separation = kind.separation;
+void prepare(Stream& kind, std::size_t number, Duration slack) {
+  for (Stream::Budget& budget : kind.budgets) {
+    budget.kind = number;
+    budget.separation = kind.separation;
+  }
   kind.separation = std::max(kind.separation - slack, nanoseconds(1));
 }
 
@@ -31,7 +34,8 @@ std::vector<Stream> one_wire(std::vector<Stream> sources, Duration bit) {
       std::stable_partition(sources.begin(), sources.end(), [](const Stream& s) { return !s.ends_frame; });
   if (sources.end() - kinds < 2) return sources;
   std::stable_sort(kinds, sources.end(), [](const Stream& a, const Stream& b) { return a.cost > b.cost; });
-  std::for_each(kinds, sources.end(), [&](Stream& kind) { prepare(kind, kBitsApart * bit); });
+  for (auto kind = kinds; kind != sources.end(); ++kind)
+    prepare(*kind, static_cast<std::size_t>(kind - kinds), kBitsApart * bit);
   std::vector<Stream> streams(sources.begin(), kinds);
   Stream together = *kinds;
   for (auto kind = kinds; kind != sources.end(); ++kind) {

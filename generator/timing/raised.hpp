@@ -7,12 +7,11 @@
 #include <limits>
 #include <vector>
 
+#include "generator/timing/unlimited.hpp"
+#include "generator/units/checked.hpp"
 #include "generator/units/duration.hpp"
 
 namespace finemote::gen::timing {
-
-/// As many as there can be.
-inline constexpr std::int64_t kUnlimited = std::numeric_limits<std::int64_t>::max();
 
 /// Stages of a job by their places, both included: the updates from 0 on, in the order they run, then the handles, then
 /// the flush.
@@ -21,25 +20,29 @@ struct Stages {
   friend bool operator==(const Stages&, const Stages&) = default;
 };
 
-/// Interrupts of one stream that the stages of one job raise at most.
+/// Interrupts of one kind and stream that the stages of one job raise at most.
 class Raised {
  public:
-  /// @param separation  of two of them; 0: that of the stream
-  /// @param goes_on     stages before a part of the job raise some in that part, too: transfers last
-  /// @param most        of all
-  Raised(Duration separation, bool goes_on, std::int64_t most = kUnlimited)
-      : separation_(separation), goes_on_(goes_on), most_(most) {}
+  struct Kind {
+    std::size_t number = 0;  ///< of those that one stream holds
+    Duration separation;     ///< of two of them; 0: that of the stream
+    bool goes_on = false;    ///< stages before a part of the job raise some in that part, too: transfers last
+    std::int64_t most = kUnlimited;
+    friend auto operator<=>(const Kind&, const Kind&) = default;
+  };
 
-  /// A stage raises so many. Places must not fall.
-  void add(std::size_t place, std::int64_t count) { stages_.push_back({place, sum_up_to(place) + count}); }
+  explicit Raised(const Kind& kind) : kind_(kind) {}
+
+  /// A stage raises so many. Places must not fall. Throws Overflow.
+  void add(std::size_t place, std::int64_t count) { stages_.push_back({place, gen::add(sum_up_to(place), count)}); }
 
   /// Those that can come while these stages run.
   [[nodiscard]] std::int64_t in(const Stages& stages) const {
-    const std::int64_t before = goes_on_ || stages.first == 0 ? 0 : sum_up_to(stages.first - 1);
-    return std::min(most_, sum_up_to(stages.last) - before);
+    const std::int64_t before = kind_.goes_on || stages.first == 0 ? 0 : sum_up_to(stages.first - 1);
+    return std::min(kind_.most, sum_up_to(stages.last) - before);
   }
 
-  [[nodiscard]] Duration separation() const { return separation_; }
+  [[nodiscard]] Duration separation() const { return kind_.separation; }
 
  private:
   struct Stage {
@@ -53,9 +56,7 @@ class Raised {
     return behind == stages_.begin() ? 0 : (behind - 1)->sum;
   }
 
-  Duration separation_;
-  bool goes_on_;
-  std::int64_t most_;
+  Kind kind_;
   std::vector<Stage> stages_;  ///< rising places
 };
 

@@ -48,6 +48,9 @@ class ModelReader {
   void read_cause(FrameBudget& budget, const Value& v) {
     budget.cause = values_.one_of(v, "a budget", "cause", kCauseWords);
   }
+  void read_asked_in(FrameBudget& b, const Value& v) {
+    b.asked_in = values_.one_of(v, "a budget", "asked_in", kAskedInWords);
+  }
   void read_identifier(Transfer& transfer, const Value& v) {
     transfer.identifier = values_.integer(v, "identifier", 0);
   }
@@ -119,8 +122,7 @@ struct ModelReader::Tables {
       {"interval_ns", Need::target, &FrameBudget::interval},
       {"carry_in", Need::target, &FrameBudget::carry_in, 1},
       {"cause", Need::target, Whole<FrameBudget>{&ModelReader::read_cause}},
-      {"in_update", Need::target, &FrameBudget::in_update},
-      {"in_flush", Need::target, &FrameBudget::in_flush},
+      {"asked_in", Need::target, Whole<FrameBudget>{&ModelReader::read_asked_in}},
   };
   static constexpr Field<Device> kDevice[] = {
       {"name"},

@@ -9,7 +9,7 @@
 namespace finemote::gen::timing {
 ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
     : bucket_of_(set.bucket_of),
-      place_(set.bucket_of.size()),
+      place_(set.place_of),
       worst_window_(responses.r_minus),
       r_plus_range_(set.bucket_of.size()),
       r_minus_range_(set.bucket_of.size()) {
@@ -19,7 +19,6 @@ ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
     table.general = responses.closed_form[buckets_.size()];
     std::vector<Cell> row;
     for (const Rank d : bucket.devices) {
-      place_[d] = row.size();
       row.push_back({responses.r_plus[d], responses.r_minus[d], responses.r_minus[d]});
       r_plus_range_[d] = {responses.r_plus[d], responses.r_plus[d]};
       r_minus_range_[d] = {responses.r_minus[d], responses.r_minus[d]};

@@ -73,11 +73,11 @@ void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& 
   for (std::size_t i = bucket.devices.size(); i-- > 0;) {
     const Rank d = bucket.devices[i];
     out.b_minus[d] = work += set.handle[d];
-    out.r_minus[d] = out.bucket[w] =
-        sweep.end_of(bucket.handle_place(i), work + set.blocking, set.handle[d] == Duration::zero());
+    out.r_minus[d] = sweep.end_of(bucket.handle_place(i), work + set.blocking, set.handle[d] == Duration::zero());
   }
-  if (bucket.after > Duration::zero())
-    out.bucket[w] = sweep.end_of(bucket.flush_place(), work + bucket.after + set.blocking, false);
+  // Also where no flush takes time: something may say that it asks.
+  const bool is_empty = bucket.after == Duration::zero() && set.handle[bucket.devices.front()] == Duration::zero();
+  out.bucket[w] = sweep.end_of(bucket.flush_place(), work + bucket.after + set.blocking, is_empty);
   out.closed_form[w] = sweep.is_closed_form();
   if (out.bucket[w] != kNone) return;
   for (const Rank d : bucket.devices) out.r_plus[d] = out.r_minus[d] = kNone;

@@ -17,17 +17,17 @@ constexpr std::int64_t kMostInstants = 2048;
 /// count at which a higher-priority bucket is released, and the last one: from an instant between two of them the same
 /// work arrives, but later. The whole job has ended by its response time, which is the longer after the instant the
 /// sooner that is.
-Duration RestOfJob::from(std::size_t bucket, Duration work, Duration latest,
+Duration RestOfJob::from(std::size_t bucket, Duration work, std::size_t stage, Duration latest,
                          const std::function<Duration(Duration release)>& of) const {
   if (work == Duration::zero()) return {};
   const Duration response = responses_.bucket[bucket];
   const Duration repeat = time_until_repeat(set_, bucket).value_or(kNever);
-  if (instants(bucket, repeat, latest) > kMostInstants) return std::min(at(bucket, work, {}), response);
+  if (instants(bucket, repeat, latest) > kMostInstants) return std::min(at(bucket, work, stage, {}), response);
   Duration worst;
   for (Duration release; release < repeat; release += set_.buckets[bucket].period) {
     Duration before = release;
     for (const Duration instant : instants_of(bucket, release, of(release))) {
-      worst = std::max(worst, std::min(at(bucket, work, instant), response - (before - release)));
+      worst = std::max(worst, std::min(at(bucket, work, stage, instant), response - (before - release)));
       before = instant;
     }
   }
@@ -57,10 +57,10 @@ std::int64_t RestOfJob::instants(std::size_t bucket, Duration repeat, Duration l
   return jobs * std::min(in_one_job, kMostInstants + 1);
 }
 
-Duration RestOfJob::at(std::size_t bucket, Duration work, Duration instant) const {
+Duration RestOfJob::at(std::size_t bucket, Duration work, std::size_t stage, Duration instant) const {
   Demand demand(effort_);
   demand.add_streams(set_.inside_job(bucket));
-  demand.run({set_.buckets[bucket].devices.size()});  // from the first handle on
+  demand.run({stage});
   for (std::size_t v = 0; v < bucket; ++v) {
     const Duration period = set_.buckets[v].period;
     demand.add({round_up(instant, period) - instant, period, set_.buckets[v].cost});

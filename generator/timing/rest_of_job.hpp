@@ -21,14 +21,15 @@ class RestOfJob {
   /// work.
   /// @param bucket  whose jobs meet their deadlines
   /// @param work    of the job behind the place, masked sections included
+  /// @param stage   the first one behind the place (raised.hpp)
   /// @param latest  when the place is passed at the latest, after the release
   /// @param of      the same of the job released then; never larger
-  [[nodiscard]] Duration from(std::size_t bucket, Duration work, Duration latest,
+  [[nodiscard]] Duration from(std::size_t bucket, Duration work, std::size_t stage, Duration latest,
                               const std::function<Duration(Duration release)>& of) const;
 
  private:
   /// From an instant on, given as a time since the common first release of all buckets; 0 is the worst one.
-  [[nodiscard]] Duration at(std::size_t bucket, Duration work, Duration instant) const;
+  [[nodiscard]] Duration at(std::size_t bucket, Duration work, std::size_t stage, Duration instant) const;
   [[nodiscard]] std::vector<Duration> instants_of(std::size_t bucket, Duration release, Duration latest) const;
   /// How many instants there are to look at; more than the most there may be where that is not known.
   [[nodiscard]] std::int64_t instants(std::size_t bucket, Duration repeat, Duration latest) const;

@@ -11,7 +11,7 @@ namespace {
 
 bool are_alike(const Stream::Budget& a, const Stream::Budget& b) {
   return a.period == b.period && a.carry_in == b.carry_in && a.every == 1 && b.every == 1 && a.jitter == b.jitter &&
-         a.separation == b.separation && a.most == kUnlimited && b.most == kUnlimited;
+         a.kind == b.kind && a.separation == b.separation && a.most == kUnlimited && b.most == kUnlimited;
 }
 
 bool is_free(const Stream& stream) { return stream.cost == Duration::zero(); }
@@ -23,8 +23,7 @@ Stream::Budget budget_of(const Model& model, const FrameBudget& b) {
   budget.carry_in = b.carry_in;
   budget.every = b.every;
   budget.cause = b.cause;
-  budget.in_update = b.in_update;
-  budget.in_flush = b.in_flush;
+  budget.asked_in = b.asked_in;
   budget.device = b.device;
   // One transfer may be under way when a window begins, and one job more than the window has periods may ask in it.
   budget.may_last = b.cause == InterruptCause::transfer;
@@ -115,7 +114,7 @@ void add_buckets(const Model& model, Profile profile, TaskSet& set) {
 
 void join_alike(std::vector<Stream::Budget>& budgets) {
   const auto key = [](const Stream::Budget& b) {
-    return std::tuple(b.most, b.every, b.period, b.jitter, b.carry_in, b.separation);
+    return std::tuple(b.most, b.every, b.period, b.jitter, b.carry_in, b.kind, b.separation);
   };
   std::stable_sort(budgets.begin(), budgets.end(),
                    [&](const Stream::Budget& a, const Stream::Budget& b) { return key(a) < key(b); });

@@ -22,10 +22,10 @@ struct Stream {
     Duration jitter;         ///< how long before the window what causes them can have been
     std::int64_t most = kUnlimited;
     InterruptCause cause = InterruptCause::clock;
-    bool in_update = false;
-    bool in_flush = false;
+    AskedIn asked_in = AskedIn::handle;
     Rank device;            ///< that causes them, where jobs do
     bool may_last = false;  ///< transfers: nobody knows yet that they end within a period; one more counts
+    std::size_t kind = 0;   ///< where the stream holds several
     Duration separation;    ///< of two that any budget of the same kind allows; 0: that of the stream
   };
   Duration separation = nanoseconds(1);
@@ -58,6 +58,7 @@ struct TaskBucket {
   /// Places of stages, by the place of their device (raised.hpp).
   [[nodiscard]] static std::size_t update_place(std::size_t device) { return device; }
   [[nodiscard]] std::size_t handle_place(std::size_t device) const { return 2 * devices.size() - 1 - device; }
+  [[nodiscard]] std::size_t first_handle_place() const { return devices.size(); }
   [[nodiscard]] std::size_t flush_place() const { return 2 * devices.size(); }
 };
 

@@ -40,7 +40,8 @@ std::optional<Duration> WireAnalysis::flush_response(std::size_t flush) const {
     const auto transfer = transfers_.of_flush(f);
     const std::size_t bucket = bucket_of(profile_.set, model_.flushes[f]);
     const Duration response = profile_.responses.bucket[bucket];
-    const auto end = end_of_job(bucket, {}, response, [response](Duration) { return response; });
+    const auto end = end_of_job(bucket, {}, profile_.set.buckets[bucket].flush_place(), response,
+                                [response](Duration) { return response; });
     if (!transfer || !end) return std::nullopt;
     wire = std::max(wire, *transfer);
     last = std::max(last, *end);
@@ -60,7 +61,8 @@ std::optional<Duration> WireAnalysis::rest_of_job(Rank device) const {
   for (const Rank d : set.buckets[w].devices) {
     if (d < device) handles += set.handle[d];
   }
-  return end_of_job(w, handles, profile_.responses.r_minus[device],
+  return end_of_job(w, handles, set.buckets[w].handle_place(set.place_of[device]) + 1,
+                    profile_.responses.r_minus[device],
                     [&](Duration release) { return profile_.table.r_minus(device, release); });
 }
 
@@ -83,11 +85,11 @@ std::optional<Duration> WireAnalysis::end_of_next_job(Rank device) const {
 }
 
 /// From where so much of its handles is left, and the flush.
-std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles, Duration latest,
+std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles, std::size_t stage, Duration latest,
                                                  const std::function<Duration(Duration release)>& of) const {
   if (!profile_.responses.ok(w)) return std::nullopt;
   const Duration work = profile_.set.buckets[w].after + handles;
-  return RestOfJob(profile_.set, profile_.responses, effort_).from(w, work, latest, of);
+  return RestOfJob(profile_.set, profile_.responses, effort_).from(w, work, stage, latest, of);
 }
 
 /// For so many jobs transfers of the same slot may leave a transfer no room: each has its turn before one has another,

@@ -37,7 +37,8 @@ class WireAnalysis {
   [[nodiscard]] Duration stage_end(Rank device, Transfer::After stage) const;
   [[nodiscard]] std::optional<Duration> stage_after(Rank device, Transfer::After stage, std::int64_t jobs) const;
   [[nodiscard]] std::optional<Duration> end_of_next_job(Rank device) const;
-  [[nodiscard]] std::optional<Duration> end_of_job(std::size_t bucket, Duration handles, Duration latest,
+  [[nodiscard]] std::optional<Duration> end_of_job(std::size_t bucket, Duration handles, std::size_t stage,
+                                                   Duration latest,
                                                    const std::function<Duration(Duration release)>& of) const;
 
   const Model& model_;

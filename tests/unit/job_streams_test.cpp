@@ -33,7 +33,7 @@ class Robot {
     InterruptSource source{"source", 5_ns, 1_ns, {}};
     source.budgets.push_back({Rank{1}, 3, 1, {}});
     source.budgets.back().cause = cause;
-    source.budgets.back().in_update = in_update;
+    source.budgets.back().asked_in = in_update ? AskedIn::update : AskedIn::handle;
     if (cause == InterruptCause::look) source.budgets.back().carry_in = 2;
     bus.sources = {source};
     model.buses.push_back(bus);
@@ -82,10 +82,23 @@ TEST_CASE("a request runs with the stage that asks, and once where a masked sect
 
 TEST_CASE("a flush asks behind all handles") {
   Robot robot(InterruptCause::request);
-  robot.model.buses[BusPlace{0}].sources->front().budgets.front().in_flush = true;
+  robot.model.buses[BusPlace{0}].sources->front().budgets.front().asked_in = AskedIn::flush;
   CHECK(robot.raised({0, 1}) == 0);
   CHECK(robot.raised(kAll) == 3);
   CHECK(robot.raised(kAll, &TaskSet::inside_job) == 3);
+  // The job ends with it, even where nobody says how long the flush takes.
+  const Responses responses = analyse_deadlines(robot.model, Profile::target).responses;
+  CHECK(responses.bucket[1] == responses.r_minus[Rank{1}] + 3 * 5_ns);
+}
+
+TEST_CASE("who raises nothing does not stand for those that do") {
+  Robot robot(InterruptCause::request);
+  std::vector<FrameBudget>& budgets = robot.model.buses[BusPlace{0}].sources->front().budgets;
+  budgets.insert(budgets.begin(), budgets.front());
+  budgets.front().count = 0;
+  const TaskSet set = analyse_deadlines(robot.model, Profile::target).set;
+  const auto& others = set.in_job(0).front().budgets;
+  CHECK(std::any_of(others.begin(), others.end(), [](const Stream::Budget& b) { return b.count > 0 && b.most == 1; }));
 }
 
 TEST_CASE("a stage counts what earlier ones of its job raise, and not what later ones do") {

@@ -1,6 +1,8 @@
 // Random forests for properties of the timing analysis: small periods, so that every phase is met soon.
 #pragma once
 
+#include <algorithm>
+#include <set>
 #include <string>
 
 #include "generator/simulate/random.hpp"
@@ -42,19 +44,25 @@ class RandomForest {
       d.update_extra = up_to(2);
       d.handle_extra = up_to(2);
     }
-    if (random_.one_in(2)) model.flushes.push_back({model.devices[Rank{}].period, up_to(6), {}, {}, 1, {}, {}, {}, {}});
+    std::set<Duration> periods;
+    for (const Device& d : model.devices) periods.insert(d.period);
+    for (const Duration period : periods) {
+      if (random_.one_in(2)) model.flushes.push_back({period, up_to(6), {}, {}, 1, {}, {}, {}, {}});
+    }
     for (const BusPlace place : model.buses.ids()) {
       Bus& bus = model.buses[place];
       if (random_.one_in(3)) continue;
       bus.sources.emplace();
       for (std::int64_t i = random_.between(1, 2); i > 0; --i) {
         InterruptSource source{"source", up_to(4), nanoseconds(random_.between(5, 80)), {}};
-        if (random_.one_in(2)) {
+        source.ends_frame = random_.one_in(4);
+        for (std::int64_t budgets = random_.between(-2, 3); budgets > 0; --budgets) {
           const Rank device{
               static_cast<std::size_t>(random_.between(0, static_cast<std::int64_t>(model.devices.size()) - 1))};
           source.budgets.push_back({device, random_.between(0, 3), random_.between(1, 3), {}});
           let_cause(model.devices[device], place, source.budgets.back());
         }
+        if (asks_alone(source) && random_.one_in(2)) source.min_interval = nanoseconds(1);
         bus.sources->push_back(source);
       }
     }
@@ -81,21 +89,27 @@ class RandomForest {
   }
 
  private:
+  static bool asks_alone(const InterruptSource& source) {
+    return !source.budgets.empty() &&
+           std::all_of(source.budgets.begin(), source.budgets.end(),
+                       [](const FrameBudget& b) { return b.cause == InterruptCause::request; });
+  }
+
   /// Most budgets are caused by jobs; where a transfer does, it is mostly known how long it lasts.
   void let_cause(Device& device, BusPlace bus, FrameBudget& budget) {
     static constexpr InterruptCause kCauses[] = {InterruptCause::clock, InterruptCause::request,
                                                  InterruptCause::transfer, InterruptCause::look};
     budget.cause = kCauses[random_.between(0, 3)];
     if (budget.cause == InterruptCause::look) budget.every = 1, budget.carry_in = 2;
-    budget.in_update = budget.cause != InterruptCause::look && random_.one_in(2);
-    budget.in_flush = budget.cause != InterruptCause::look && !budget.in_update && random_.one_in(2);
+    static constexpr AskedIn kStages[] = {AskedIn::handle, AskedIn::update, AskedIn::flush};
+    if (budget.cause != InterruptCause::look) budget.asked_in = kStages[random_.between(0, 2)];
     if (budget.cause != InterruptCause::transfer || random_.one_in(4)) return;
     Transfer transfer;
     transfer.bus = bus;
     transfer.wire = up_to(device.period.ns());
-    transfer.after = budget.in_update  ? Transfer::After::update
-                     : budget.in_flush ? Transfer::After::bucket
-                                       : Transfer::After::handle;
+    transfer.after = budget.asked_in == AskedIn::update  ? Transfer::After::update
+                     : budget.asked_in == AskedIn::flush ? Transfer::After::bucket
+                                                         : Transfer::After::handle;
     device.transfers.push_back(transfer);
   }
 
