@@ -13,7 +13,7 @@ CausedArrivals::CausedArrivals(const timing::Stream& stream, const timing::TaskS
       set_(set),
       random_(random),
       jobs_left_(stream.budgets.size(), 0),
-      asks_at_end_(stream.budgets.size(), false) {}
+      at_end_(stream.budgets.size(), AtEnd::nothing) {}
 
 bool CausedArrivals::asks(const Budget& budget, Rank device, bool is_update) {
   if (budget.device != device) return false;
@@ -30,15 +30,21 @@ Duration CausedArrivals::next() const { return planned_.empty() ? floor_div(Dura
 
 void CausedArrivals::stage_began(Rank device, bool is_update, Duration release, Duration now) {
   for (std::size_t i = 0; i < stream_.budgets.size(); ++i) {
-    if (!asks(stream_.budgets[i], device, is_update)) continue;
-    asks_at_end_[i] = random_.one_in(2);
-    if (!asks_at_end_[i]) raise(i, release, now);
+    const Budget& budget = stream_.budgets[i];
+    if (!asks(budget, device, is_update)) continue;
+    at_end_[i] = AtEnd::asks;
+    if (random_.one_in(2)) continue;
+    const bool has_asked = raise(i, release, now);
+    at_end_[i] =
+        has_asked && budget.cause == InterruptCause::request && budget.count > 1 ? AtEnd::asks_again : AtEnd::nothing;
   }
 }
 
 void CausedArrivals::stage_ended(Rank device, bool is_update, Duration release, Duration now) {
   for (std::size_t i = 0; i < stream_.budgets.size(); ++i) {
-    if (asks_at_end_[i] && asks(stream_.budgets[i], device, is_update)) raise(i, release, now);
+    if (!asks(stream_.budgets[i], device, is_update)) continue;
+    if (at_end_[i] == AtEnd::asks) raise(i, release, now);
+    if (at_end_[i] == AtEnd::asks_again) ask(stream_.budgets[i], now, now);
   }
 }
 
@@ -51,13 +57,14 @@ void CausedArrivals::flush_began(std::size_t bucket, Duration release, Duration 
   }
 }
 
-void CausedArrivals::raise(std::size_t index, Duration release, Duration now) {
+bool CausedArrivals::raise(std::size_t index, Duration release, Duration now) {
   const Budget& budget = stream_.budgets[index];
-  if (budget.cause != InterruptCause::look && --jobs_left_[index] >= 0) return;
+  if (budget.cause != InterruptCause::look && --jobs_left_[index] >= 0) return false;
   jobs_left_[index] = budget.every - 1;
   if (budget.cause == InterruptCause::look) planned_.clear();  // what the line did not use is lost
   const Duration latest = latest_end(budget, release, now);
   ask(budget, begin_of(budget, now, latest), latest);
+  return true;
 }
 
 /// At once, as late as all of them fit, or between.
@@ -73,14 +80,12 @@ Duration CausedArrivals::begin_of(const Budget& budget, Duration now, Duration l
   }
 }
 
-/// Plans the interrupts of one budget as soon as the line allows; those that would come too late do not. What is asked
-/// for at any distance is asked for at once.
+/// Plans the interrupts of one budget as soon as the line allows; those that would come too late do not: of requests
+/// there is one at an instant, for the routine of one runs before its stage asks for the next.
 void CausedArrivals::ask(const Budget& budget, Duration from, Duration latest) {
-  const bool is_at_once = budget.cause == InterruptCause::request && stream_.separation == nanoseconds(1);
-  Duration at = is_at_once ? from : std::max(from, free_from_);
+  Duration at = std::max(from, free_from_);
   for (std::int64_t n = 0; n < budget.count && at <= latest; ++n) {
     planned_.push_back(at);
-    if (is_at_once) continue;
     at += stream_.separation;
     free_from_ = at;
   }

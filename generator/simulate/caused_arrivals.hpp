@@ -34,7 +34,9 @@ class CausedArrivals {
 
  private:
   static bool asks(const timing::Stream::Budget& budget, Rank device, bool is_update);
-  void raise(std::size_t budget, Duration release, Duration now);
+  enum class AtEnd { nothing, asks, asks_again };
+  /// Whether it is the turn of this job.
+  bool raise(std::size_t budget, Duration release, Duration now);
   [[nodiscard]] Duration begin_of(const timing::Stream::Budget& budget, Duration now, Duration latest);
   void ask(const timing::Stream::Budget& budget, Duration from, Duration latest);
   [[nodiscard]] Duration latest_end(const timing::Stream::Budget& budget, Duration release, Duration now) const;
@@ -45,7 +47,7 @@ class CausedArrivals {
   std::deque<Duration> planned_;         ///< rising
   Duration free_from_;                   ///< the separation from the one planned last
   std::vector<std::int64_t> jobs_left_;  ///< per budget: before one may ask again
-  std::vector<bool> asks_at_end_;        ///< per budget: of the stage that runs, and not at its begin
+  std::vector<AtEnd> at_end_;            ///< per budget: what the stage that runs does when it ends
 };
 
 }  // namespace finemote::gen
