@@ -59,7 +59,9 @@ class ModelReader {
   void read_flush(Model& model, const Value& v);
   void read_flush_bus(Flush& flush, const Value& v);
   void read_flush_device(Flush& flush, const Value& v);
-  void read_flush_identifier(Flush& flush, const Value& v);
+  void read_flush_identifier(Flush& flush, const Value& v) {
+    flush.identifiers.push_back(values_.integer(v, "identifiers", 0));
+  }
   void read_flush_output(Flush& flush, const Value& v) { flush.output = values_.text(v, "a flush", "output"); }
   void set_frame_time(Bus& bus, const Value& v);
   void check_period(const Device& device, const Value& v);
@@ -375,10 +377,6 @@ void ModelReader::read_flush(Model& model, const Value& v) {
 
 void ModelReader::read_flush_bus(Flush& flush, const Value& v) {
   flush.bus = find_bus(values_.text(v, "a flush", "bus"), v);
-}
-
-void ModelReader::read_flush_identifier(Flush& flush, const Value& v) {
-  flush.identifiers.push_back(values_.integer(v, "identifiers", 0));
 }
 
 void ModelReader::read_flush_device(Flush&, const Value& v) {
