@@ -175,12 +175,12 @@ std::optional<Duration> busy_above(const TaskSet& set, std::size_t bucket, Effor
 
 /// Transfers that end within their period: all that one job causes lies in one, and no window holds more than it has
 /// periods and one.
-void note_ended(TaskSet& set) {
-  for (Stream& stream : set.streams) {
-    for (Budget& budget : stream.budgets) {
-      if (!budget.may_last || !set.ended[*stream.place][set.bucket_of[budget.device]]) continue;
-      budget.may_last = false;
-      --budget.carry_in;
+void note_ended(const TaskSet& set, std::vector<Stream>& streams) {
+  for (Stream& stream : streams) {
+    for (Stream::Budget& budget : stream.budgets) {
+      if (budget.lasting == 0 || !set.ended[*stream.place][set.bucket_of[budget.device]]) continue;
+      budget.carry_in -= budget.lasting;
+      budget.lasting = 0;
     }
   }
 }
@@ -189,7 +189,7 @@ void note_ended(TaskSet& set) {
 
 void separate_jobs(const Model& model, const Responses& responses, TaskSet& set, Effort& effort) {
   set.ended = TransferBounds(model, Profile::target, set, responses, effort).ended();
-  note_ended(set);
+  for (std::vector<Stream>* streams : {&set.streams, &set.sources, &set.dma}) note_ended(set, *streams);
   std::vector<JobStreams> of_jobs;
   for (std::size_t w = 0; w < set.buckets.size(); ++w)
     of_jobs.push_back(JobWindows(set, w, busy_above(set, w, effort)).all());

@@ -23,10 +23,10 @@ struct Stream {
     std::int64_t most = kUnlimited;
     InterruptCause cause = InterruptCause::clock;
     AskedIn asked_in = AskedIn::handle;
-    Rank device;            ///< that causes them, where jobs do
-    bool may_last = false;  ///< transfers: nobody knows yet that they end within a period; one more counts
-    std::size_t kind = 0;   ///< where the stream holds several
-    Duration separation;    ///< of two that any budget of the same kind allows; 0: that of the stream
+    Rank device;               ///< that causes them, where jobs do
+    std::int64_t lasting = 0;  ///< transfers: so many count more, as nobody knows yet that they end within a period
+    std::size_t kind = 0;      ///< where the stream holds several
+    Duration separation;       ///< of two that any budget of the same kind allows; 0: that of the stream
   };
   Duration separation = nanoseconds(1);
   Duration cost;

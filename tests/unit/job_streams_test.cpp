@@ -141,6 +141,8 @@ TEST_CASE("where transfers may last as long as the period, windows of jobs hold 
     CHECK(slow.budget(bucket).jitter == 0_ns);
     CHECK(slow.budget(bucket).most == kUnlimited);
   }
+  slow.model.buses[BusPlace{0}].arbitrated = true;
+  CHECK(slow.budget(1).carry_in == 3);            // one in its mailbox, and one in its slot
   slow.model.devices[Rank{1}].transfers.clear();  // nobody knows when they end
   CHECK(slow.budget(0).most == kUnlimited);
 }

@@ -75,9 +75,9 @@ constexpr finemote::Monitored kMonitored[] = {
     {0, 259825, finemote::kNothingToBound, nullptr},  // imu
     {1, 556134, finemote::kNothingToBound, nullptr},  // depth
     {1, 553302, finemote::kNothingToBound, nullptr},  // button
-    {1, 550536, 24449790, &station::servo.command},  // servo
-    {1, 545800, 24444922, &station::green_led.command},  // green_led
-    {1, 539693, 24438881, &station::blue_led.command},  // blue_led
+    {1, 550536, 24407671, &station::servo.command},  // servo
+    {1, 545800, 24402803, &station::green_led.command},  // green_led
+    {1, 539693, 24396762, &station::blue_led.command},  // blue_led
     {1, 533713, finemote::kNothingToBound, nullptr},  // station
 };
 
