@@ -1,5 +1,6 @@
 // Robots whose generated sources once did not compile, and robots of former versions.
 #include <algorithm>
+
 #include "catch.hpp"
 #include "cli/order.hpp"
 #include "cli/program.hpp"
