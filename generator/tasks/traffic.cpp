@@ -17,6 +17,9 @@ namespace {
 /// Of what software asks for: nothing but how often it does bounds it.
 constexpr Duration kAnyDistance = nanoseconds(1);
 
+/// Frames of one slot that may be under way: in the three mailboxes of the controller, and in the slot.
+constexpr std::int64_t kUnderWay = 4;
+
 /// It answers the frame that its device fills together with others.
 bool is_reply(const gen::Device& device, const Frame& frame, const WireRate& rate) {
   return bus_type(rate.kind).is_arbitrated && frame.write_bytes == 0 && frame.read_bytes > 0 && shared_frame_of(device);
@@ -202,7 +205,10 @@ void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, FrameStag
   budget.count = use.ends;
   allow(bus, DriverSource::Counts::ends, budget);
   allow_bytes(bus, use, budget);
-  if (use.answers > 0) allow(bus, DriverSource::Counts::received, {place, use.answers, every, {}});
+  if (use.answers == 0) return;
+  FrameBudget answers{place, use.answers, every, {}};
+  answers.carry_in = 1 + kUnderWay;
+  allow(bus, DriverSource::Counts::received, answers);
 }
 
 /// The driver allows so many from one look of the reader to the next, whatever the line does; what is left is lost. A

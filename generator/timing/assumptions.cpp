@@ -9,7 +9,8 @@ constexpr Assumption kAssumptions[] = {
     {"declared-nodes", "only parts of the robot's devices and expanders send on a bus", undetectable},
     {"declared-traffic",
      "a device and its part send no more frames than the descriptor declares, no longer ones, and on CAN no shorter "
-     "ones; it asks in the stage that its descriptor names, and reads its serial line in update(); a part that is "
+     "ones; the device asks in the stage that its descriptor names, and reads its serial line in update(); a part that "
+     "is "
      "asked on a serial line answers at once; where a device has several requests over one connection in a job, none "
      "goes again while another waits",
      undetectable},

@@ -137,22 +137,24 @@ class JobWindows {
     }
   }
 
-  /// At the begin of a window at most one lower-priority stage is in a masked section, and has asked for one transfer:
-  /// none where the job runs already. Or a lower-priority job has put frames into their slots and not asked yet: the
-  /// next request takes them along, for which this one stands; of stages of the job, of any that asks.
-  static void keep_one(Begin begin, std::vector<Budget>& budgets, std::vector<Budget>::iterator masked, Gathered& own) {
-    const bool others_ask = std::any_of(budgets.begin(), masked, [](const Budget& b) { return b.count > 0; });
-    const bool is_anywhere = begin == Begin::before_job || others_ask;
-    if (!is_anywhere) own.add_one_of_any();
-    masked->most = is_anywhere ? 1 : 0;
-    budgets.erase(masked + 1, budgets.end());
+  /// Of the budgets from `first` on, which are requests of lower-priority jobs, one request is left: in any window, or
+  /// with that of any own stage.
+  static void leave_one(Begin begin, std::vector<Budget>& budgets, std::vector<Budget>::iterator first, Gathered& own) {
+    const bool others_ask = std::any_of(budgets.begin(), first, [](const Budget& b) { return b.count > 0; });
+    const bool is_in_any = begin == Begin::before_job || others_ask;
+    if (!is_in_any) own.add_one_of_any();
+    first->most = is_in_any ? 1 : 0;
+    budgets.erase(first + 1, budgets.end());
   }
 
+  /// At the begin of a window at most one lower-priority stage is in a masked section, and has asked for one transfer:
+  /// none where the job runs already. Or a lower-priority job has put frames into their slots and not asked yet: the
+  /// next request takes them along, for which this one stands.
   void keep_one_masked_request(Begin begin, std::vector<Budget>& budgets, Gathered& own) const {
     const auto masked = std::stable_partition(budgets.begin(), budgets.end(), [&](const Budget& b) {
       return b.cause != InterruptCause::request || !is_lower_priority(b) || b.count == 0;
     });
-    if (masked != budgets.end()) keep_one(begin, budgets, masked, own);
+    if (masked != budgets.end()) leave_one(begin, budgets, masked, own);
   }
 
   [[nodiscard]] bool is_own(const Budget& budget) const { return set_.bucket_of[budget.device] == bucket_; }

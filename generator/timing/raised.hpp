@@ -17,7 +17,6 @@ namespace finemote::gen::timing {
 /// the flush.
 struct Stages {
   std::size_t first = 0, last = std::numeric_limits<std::size_t>::max();
-  friend bool operator==(const Stages&, const Stages&) = default;
 };
 
 /// Interrupts of one kind and stream that the stages of one job raise at most.

@@ -19,7 +19,7 @@ constexpr std::int64_t kMostInstants = 2048;
 /// sooner that is.
 Duration RestOfJob::from(std::size_t bucket, Duration work, std::size_t stage, Duration latest,
                          const std::function<Duration(Duration release)>& of) const {
-  if (work == Duration::zero()) return {};
+  if (work == Duration::zero() && !asks(bucket, stage)) return {};
   const Duration response = responses_.bucket[bucket];
   const Duration repeat = time_until_repeat(set_, bucket).value_or(kNever);
   if (instants(bucket, repeat, latest) > kMostInstants) return std::min(at(bucket, work, stage, {}), response);
@@ -57,6 +57,14 @@ std::int64_t RestOfJob::instants(std::size_t bucket, Duration repeat, Duration l
   return jobs * std::min(in_one_job, kMostInstants + 1);
 }
 
+bool RestOfJob::asks(std::size_t bucket, std::size_t stage) const {
+  const std::vector<Stream>& streams = set_.inside_job(bucket);
+  return std::any_of(streams.begin(), streams.end(), [stage](const Stream& stream) {
+    return std::any_of(stream.raised.begin(), stream.raised.end(),
+                       [stage](const Raised& raised) { return raised.in({stage}) > 0; });
+  });
+}
+
 Duration RestOfJob::at(std::size_t bucket, Duration work, std::size_t stage, Duration instant) const {
   Demand demand(effort_);
   demand.add_streams(set_.inside_job(bucket));
@@ -65,7 +73,7 @@ Duration RestOfJob::at(std::size_t bucket, Duration work, std::size_t stage, Dur
     const Duration period = set_.buckets[v].period;
     demand.add({round_up(instant, period) - instant, period, set_.buckets[v].cost});
   }
-  return least_fit(demand, work, work, kLongest);
+  return least_fit(demand, work, std::max(work, nanoseconds(1)), kLongest);
 }
 
 }  // namespace finemote::gen::timing

@@ -28,6 +28,8 @@ class RestOfJob {
                               const std::function<Duration(Duration release)>& of) const;
 
  private:
+  /// Whether the stages of a job from this one on raise interrupts, or earlier ones still do.
+  [[nodiscard]] bool asks(std::size_t bucket, std::size_t stage) const;
   /// From an instant on, given as a time since the common first release of all buckets; 0 is the worst one.
   [[nodiscard]] Duration at(std::size_t bucket, Duration work, std::size_t stage, Duration instant) const;
   [[nodiscard]] std::vector<Duration> instants_of(std::size_t bucket, Duration release, Duration latest) const;

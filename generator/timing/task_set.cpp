@@ -16,7 +16,7 @@ bool are_alike(const Stream::Budget& a, const Stream::Budget& b) {
 
 bool is_free(const Stream& stream) { return stream.cost == Duration::zero(); }
 
-Stream::Budget budget_of(const Model& model, const FrameBudget& b, bool is_arbitrated) {
+Stream::Budget budget_of(const Model& model, const FrameBudget& b) {
   Stream::Budget budget;
   budget.count = b.count;
   budget.period = b.interval > Duration::zero() ? b.interval : model.devices[b.device].period;
@@ -25,9 +25,10 @@ Stream::Budget budget_of(const Model& model, const FrameBudget& b, bool is_arbit
   budget.cause = b.cause;
   budget.asked_in = b.asked_in;
   budget.device = b.device;
-  // One transfer may be under way when a window begins, and one job more than the window has periods may ask in it. On
-  // CAN there are two: a frame in its mailbox, and the next one in its slot.
-  if (b.cause == InterruptCause::transfer) budget.lasting = is_arbitrated ? 2 : 1;
+  // One transfer may be under way when a window begins, and one job more than the window has periods may ask in it. So
+  // it is on CAN: frames in mailboxes may be more, but the end of one interrupts only where another one waits in a
+  // slot.
+  if (b.cause == InterruptCause::transfer) budget.lasting = b.every;
   budget.carry_in = add(budget.carry_in, budget.lasting);
   return budget;
 }
@@ -47,7 +48,7 @@ void add_sources(const Model& model, Profile profile, TaskSet& set) {
       Stream stream{source.min_interval, cost, {}, bus.name + "." + source.name, bus.name, source.name, place};
       stream.of_transfers = source.of_transfers;
       stream.ends_frame = source.ends_frame;
-      for (const FrameBudget& b : source.budgets) stream.budgets.push_back(budget_of(model, b, bus.arbitrated));
+      for (const FrameBudget& b : source.budgets) stream.budgets.push_back(budget_of(model, b));
       (source.steals ? set.dma : set.sources).push_back(std::move(stream));
     }
   }

@@ -23,10 +23,11 @@ struct Stream {
     std::int64_t most = kUnlimited;
     InterruptCause cause = InterruptCause::clock;
     AskedIn asked_in = AskedIn::handle;
-    Rank device;               ///< that causes them, where jobs do
-    std::int64_t lasting = 0;  ///< transfers: so many count more, as nobody knows yet that they end within a period
-    std::size_t kind = 0;      ///< where the stream holds several
-    Duration separation;       ///< of two that any budget of the same kind allows; 0: that of the stream
+    Rank device;  ///< that causes them, where jobs do
+    /// Transfers: of so many jobs more, as carry_in has it, because nobody knows yet that they end within a period.
+    std::int64_t lasting = 0;
+    std::size_t kind = 0;  ///< where the stream holds several; all of one have the same separation
+    Duration separation;   ///< of two that any budget of the same kind allows; 0: that of the stream
   };
   Duration separation = nanoseconds(1);
   Duration cost;
@@ -58,7 +59,6 @@ struct TaskBucket {
   /// Places of stages, by the place of their device (raised.hpp).
   [[nodiscard]] static std::size_t update_place(std::size_t device) { return device; }
   [[nodiscard]] std::size_t handle_place(std::size_t device) const { return 2 * devices.size() - 1 - device; }
-  [[nodiscard]] std::size_t first_handle_place() const { return devices.size(); }
   [[nodiscard]] std::size_t flush_place() const { return 2 * devices.size(); }
 };
 

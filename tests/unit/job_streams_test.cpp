@@ -141,8 +141,6 @@ TEST_CASE("where transfers may last as long as the period, windows of jobs hold 
     CHECK(slow.budget(bucket).jitter == 0_ns);
     CHECK(slow.budget(bucket).most == kUnlimited);
   }
-  slow.model.buses[BusPlace{0}].arbitrated = true;
-  CHECK(slow.budget(1).carry_in == 3);            // one in its mailbox, and one in its slot
   slow.model.devices[Rank{1}].transfers.clear();  // nobody knows when they end
   CHECK(slow.budget(0).most == kUnlimited);
 }
@@ -154,6 +152,23 @@ TEST_CASE("transfers that have not ended when more urgent work may hold the wind
   CHECK(slow.budget(2).jitter > 1900_ns);
   CHECK(slow.budget(1).carry_in == 1);
   CHECK(slow.budget(1).most == kUnlimited);
+}
+
+TEST_CASE("where releases are lost, nothing knows when transfers end") {
+  Robot robot(InterruptCause::transfer);
+  robot.model.costs.keeps_one_release = true;
+  robot.model.costs.release = 1500_ns;
+  const TaskSet set = analyse_deadlines(robot.model, Profile::target).set;
+  for (const std::vector<Stream>* streams : {&set.streams, &set.sources})
+    CHECK(streams->front().budgets.front().carry_in == 2);
+  CHECK(set.of_jobs.empty());
+}
+
+TEST_CASE("what is asked for once in several jobs may last as a whole turn of it") {
+  Robot slow(InterruptCause::transfer);
+  slow.model.buses[BusPlace{0}].sources->front().budgets.front().every = 3;
+  slow.model.devices[Rank{1}].transfers.front().wire = 1990_ns;
+  CHECK(slow.budget(1).carry_in == 1 + 3);
 }
 
 TEST_CASE("a look allows what it allows, beside what was left before it") {
