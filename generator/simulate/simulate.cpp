@@ -176,8 +176,10 @@ class Simulator {
 
   void run_job(std::size_t w, Duration event) {
     JobState& job = jobs_[w];
-    if (!job.piece_begun) begin_piece(w, job);
-    if (next_event() <= now_ && job.left > Duration::zero()) return;  // what its begin has raised comes first
+    if (!job.piece_begun) {
+      begin_piece(w, job);
+      if (next_event() <= now_ && job.left > Duration::zero()) return;  // what its begin has raised comes first
+    }
     const Duration end = now_ + job.left;
     if (end <= event) {
       now_ = end;
@@ -198,7 +200,9 @@ class Simulator {
     job.piece_begin = now_;
     if (job.begin < Duration::zero()) job.begin = now_;
     const bool is_update = pieces.is_update(job.piece);
-    if (pieces.is_flush(job.piece)) flush_began(w, job);
+    if (pieces.is_flush(job.piece)) {
+      for (Arrivals& a : arrivals_) a.flush_began(w, job.release, now_);
+    }
     if (!is_update && !pieces.is_handle(job.piece)) {
       job.left = lengths_.draw({}, pieces.worst(job.piece));
       return;
@@ -210,10 +214,6 @@ class Simulator {
     is_update ? flow_.begin_update(d, now_) : flow_.begin_handle(d, now_);
     reporter_.inputs(d, is_update, now_);
     steps_ += static_cast<std::int64_t>(flow_.width(d));
-  }
-
-  void flush_began(std::size_t w, const JobState& job) {
-    for (Arrivals& a : arrivals_) a.flush_began(w, job.release, now_);
   }
 
   void end_piece(std::size_t w, JobState& job) {

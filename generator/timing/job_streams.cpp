@@ -93,7 +93,7 @@ class JobWindows {
     const Raised::Kind stage{budget.kind, budget.separation}, and_behind{budget.kind, budget.separation, true};
     if (budget.cause == InterruptCause::look) {
       own.add(and_behind, 0, budget.count);  // left from the look before
-      own.add(stage, TaskBucket::update_place(set_.place_of[budget.device]), budget.count);
+      own.add(stage, set_.update_place(budget.device), budget.count);
     } else {
       own.add(budget.cause == InterruptCause::transfer ? and_behind : stage, asked_at(budget), budget.count);
     }
@@ -101,10 +101,9 @@ class JobWindows {
 
   /// The stage of the own job that asks.
   [[nodiscard]] std::size_t asked_at(const Budget& budget) const {
-    const TaskBucket& job = set_.buckets[bucket_];
-    if (budget.asked_in == AskedIn::flush) return job.flush_place();
-    const std::size_t device = set_.place_of[budget.device];
-    return budget.asked_in == AskedIn::update ? TaskBucket::update_place(device) : job.handle_place(device);
+    if (budget.asked_in == AskedIn::flush) return set_.flush_place(bucket_);
+    const bool is_update = budget.asked_in == AskedIn::update;
+    return is_update ? set_.update_place(budget.device) : set_.handle_place(budget.device);
   }
 
   /// What jobs of other buckets raise.

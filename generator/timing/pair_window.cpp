@@ -49,10 +49,10 @@ Duration PairWindow::until(Rank to, Duration release, Duration work, const std::
 }
 
 Duration PairWindow::in_one_job(Rank from, Rank to, Duration release) const {
-  const std::size_t w = profile_.set.bucket_of[to];
-  if (profile_.responses.closed_form[w]) return profile_.table.r_minus(to, release);
   const TaskSet& set = profile_.set;
-  const Stages stages{TaskBucket::update_place(set.place_of[from]), set.buckets[w].handle_place(set.place_of[to])};
+  const std::size_t w = set.bucket_of[to];
+  if (profile_.responses.closed_form[w]) return profile_.table.r_minus(to, release);
+  const Stages stages{set.update_place(from), set.handle_place(to)};
   return until(to, release, updates_from_[from] + handles_to_[to], set.inside_job(w), stages);
 }
 

@@ -74,14 +74,6 @@ Responses respond_in_time(const Model& model, Profile profile, TaskSet& set, Eff
   return responses;
 }
 
-/// Where responses are forgotten nobody knows when transfers have ended: the streams are those of any window again.
-void forget_ends(const Model& model, TaskSet& set) {
-  TaskSet fresh = make_task_set(model, Profile::target);
-  const std::vector<std::optional<Duration>> unknown(fresh.buckets.size());
-  fresh.ended = Table<BusPlace, std::vector<std::optional<Duration>>>(model.buses.size(), unknown);
-  set = std::move(fresh);
-}
-
 /// The same where no release is lost, else none; notes the release interrupt.
 Responses respond(const Model& model, TaskSet& set, Effort& effort, ProfileResult& result) {
   if (result.profile == Profile::target) result.release = bound_release(model, set, effort);
@@ -90,7 +82,7 @@ Responses respond(const Model& model, TaskSet& set, Effort& effort, ProfileResul
   result.release->is_alone =
       std::all_of(responses.bucket.begin(), responses.bucket.end(), [](Duration bucket) { return bucket != kNone; });
   forget(responses);
-  forget_ends(model, set);
+  set = make_task_set(model, result.profile);  // from forgotten responses follows no end of a transfer
   return responses;
 }
 

@@ -132,12 +132,14 @@ class ReleaseTable::Builder {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const Duration cost = set_.update[bucket_.devices[i]];
       work += cost;
-      cells[i].r_plus = std::max(cells[i].r_plus, end_of(TaskBucket::update_place(i), work, cost == Duration::zero()));
+      cells[i].r_plus =
+          std::max(cells[i].r_plus, end_of(set_.update_place(bucket_.devices[i]), work, cost == Duration::zero()));
     }
     for (std::size_t i = cells.size(); i-- > 0;) {
       const Duration cost = set_.handle[bucket_.devices[i]];
       work += cost;
-      cells[i].r_minus = std::max(cells[i].r_minus, end_of(bucket_.handle_place(i), work, cost == Duration::zero()));
+      cells[i].r_minus =
+          std::max(cells[i].r_minus, end_of(set_.handle_place(bucket_.devices[i]), work, cost == Duration::zero()));
     }
   }
 
@@ -188,7 +190,7 @@ class ReleaseTable::Builder {
         }
       }
       const Duration base = work + extra;
-      inside_.run({TaskBucket::update_place(i), bucket_.handle_place(i)});
+      inside_.run({set_.update_place(d), set_.handle_place(d)});
       x = least_fit(inside_, base, std::max(x, base), kLongest);
       cells[i].window = std::min(x - extra, cells[i].r_minus);
     }

@@ -65,19 +65,17 @@ void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& 
   const TaskBucket& bucket = set.buckets[w];
   BucketSweep sweep(set, w, effort);
   Duration work = bucket.before;
-  for (std::size_t i = 0; i < bucket.devices.size(); ++i) {
-    const Rank d = bucket.devices[i];
+  for (const Rank d : bucket.devices) {
     out.b_plus[d] = work += set.update[d];
-    out.r_plus[d] = sweep.end_of(TaskBucket::update_place(i), work + set.blocking, set.update[d] == Duration::zero());
+    out.r_plus[d] = sweep.end_of(set.update_place(d), work + set.blocking, set.update[d] == Duration::zero());
   }
-  for (std::size_t i = bucket.devices.size(); i-- > 0;) {
-    const Rank d = bucket.devices[i];
-    out.b_minus[d] = work += set.handle[d];
-    out.r_minus[d] = sweep.end_of(bucket.handle_place(i), work + set.blocking, set.handle[d] == Duration::zero());
+  for (auto d = bucket.devices.rbegin(); d != bucket.devices.rend(); ++d) {
+    out.b_minus[*d] = work += set.handle[*d];
+    out.r_minus[*d] = sweep.end_of(set.handle_place(*d), work + set.blocking, set.handle[*d] == Duration::zero());
   }
   // Also where no flush takes time: something may say that it asks.
   const bool is_empty = bucket.after == Duration::zero() && set.handle[bucket.devices.front()] == Duration::zero();
-  out.bucket[w] = sweep.end_of(bucket.flush_place(), work + bucket.after + set.blocking, is_empty);
+  out.bucket[w] = sweep.end_of(set.flush_place(w), work + bucket.after + set.blocking, is_empty);
   out.closed_form[w] = sweep.is_closed_form();
   if (out.bucket[w] != kNone) return;
   for (const Rank d : bucket.devices) out.r_plus[d] = out.r_minus[d] = kNone;

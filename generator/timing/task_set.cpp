@@ -146,6 +146,8 @@ TaskSet make_task_set(const Model& model, Profile profile) {
     set.handle.push_back(target ? d.handle_wcet + d.handle_extra + model.costs.stage : d.handle_wcet);
   }
   add_buckets(model, profile, set);
+  const std::vector<std::optional<Duration>> unknown(set.buckets.size());
+  set.ended = Table<BusPlace, std::vector<std::optional<Duration>>>(model.buses.size(), unknown);
   add_sources(model, profile, set);
   add_bus_streams(model, set);
   set.bus_streams = set.streams.size();

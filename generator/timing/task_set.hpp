@@ -56,10 +56,6 @@ struct TaskBucket {
   Duration after;             ///< flush and exit, behind the last handle
   Duration cost;              ///< one whole job
   std::vector<Rank> devices;  ///< registration order
-  /// Places of stages, by the place of their device (raised.hpp).
-  [[nodiscard]] static std::size_t update_place(std::size_t device) { return device; }
-  [[nodiscard]] std::size_t handle_place(std::size_t device) const { return 2 * devices.size() - 1 - device; }
-  [[nodiscard]] std::size_t flush_place() const { return 2 * devices.size(); }
 };
 
 /// Streams run above all buckets, shorter periods above longer ones.
@@ -87,6 +83,12 @@ struct TaskSet {
     return lag(handle[producer], consumer_period);
   }
   Duration blocking;  ///< longest masked section: delays every busy window once
+  /// Places of stages in their job (raised.hpp).
+  [[nodiscard]] std::size_t update_place(Rank device) const { return place_of[device]; }
+  [[nodiscard]] std::size_t handle_place(Rank device) const {
+    return flush_place(bucket_of[device]) - 1 - place_of[device];
+  }
+  [[nodiscard]] std::size_t flush_place(std::size_t bucket) const { return 2 * buckets[bucket].devices.size(); }
   [[nodiscard]] const std::vector<Stream>& in_job(std::size_t bucket) const {
     return of_jobs.empty() ? streams : of_jobs[bucket].whole;
   }

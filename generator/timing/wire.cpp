@@ -40,8 +40,8 @@ std::optional<Duration> WireAnalysis::flush_response(std::size_t flush) const {
     const auto transfer = transfers_.of_flush(f);
     const std::size_t bucket = bucket_of(profile_.set, model_.flushes[f]);
     const Duration response = profile_.responses.bucket[bucket];
-    const auto end = end_of_job(bucket, {}, profile_.set.buckets[bucket].flush_place(), response,
-                                [response](Duration) { return response; });
+    const auto end =
+        end_of_job(bucket, {}, profile_.set.flush_place(bucket), response, [response](Duration) { return response; });
     if (!transfer || !end) return std::nullopt;
     wire = std::max(wire, *transfer);
     last = std::max(last, *end);
@@ -61,8 +61,7 @@ std::optional<Duration> WireAnalysis::rest_of_job(Rank device) const {
   for (const Rank d : set.buckets[w].devices) {
     if (d < device) handles += set.handle[d];
   }
-  return end_of_job(w, handles, set.buckets[w].handle_place(set.place_of[device]) + 1,
-                    profile_.responses.r_minus[device],
+  return end_of_job(w, handles, set.handle_place(device) + 1, profile_.responses.r_minus[device],
                     [&](Duration release) { return profile_.table.r_minus(device, release); });
 }
 
