@@ -61,14 +61,21 @@ void DjiMotor::count_turns(std::int32_t angle, float rpm, Time at) {
     step = angle - static_cast<std::int32_t>(std::lround(zero_ / kRadPerStep));
     step = nearest_turn(step);
   } else {
-    const Duration gap = at - last_at_;
-    const float expected = gap <= kLongestGap ? rpm * seconds(gap) * kStepsPerSecond : 0;
-    step += kTurn * static_cast<std::int32_t>(std::lround((expected - static_cast<float>(step)) / kTurn));
+    step += kTurn * whole_turns(static_cast<float>(step), rpm, at - last_at_);
   }
   counting_ = true;
   position_ += step;
   last_angle_ = angle;
+  last_rpm_ = rpm;
   last_at_ = at;
+}
+
+/// How often the rotor turned besides `step`, by the mean of the speeds before and after. Without a gear nothing is
+/// guessed across a silence: a wrong guess would be a whole turn of the output.
+std::int32_t DjiMotor::whole_turns(float step, float rpm, Duration gap) const {
+  const bool tells = gap <= kLongestGap && (state.valid || gear_ != 1);
+  const float expected = tells ? (last_rpm_ + rpm) / 2 * seconds(gap) * kStepsPerSecond : 0;
+  return static_cast<std::int32_t>(std::lround((expected - step) / kTurn));
 }
 
 void DjiMotor::handle() {

@@ -88,9 +88,23 @@ void FinsRov::take_inputs(Time at) {
   if (fresh >= config_.depth_quorum && fresh > 0) {
     take_depth(sum / (static_cast<float>(fresh) * config_.density * kGravity), origin);
   }
-  if (imu_.state.valid) attitude_ = imu_.state;
+  take_attitude();
   state.origin = oldest(depth_at_, attitude_.origin);
   state.valid = depth_known_ && attitude_.valid;
+}
+
+/// A sensor that comes back may count its yaw from elsewhere, and the loops have summed errors that nobody turned
+/// against.
+void FinsRov::take_attitude() {
+  const bool is_back = imu_.state.valid && !attitude_follows_;
+  attitude_follows_ = imu_.state.valid;
+  if (!imu_.state.valid) return;
+  attitude_ = imu_.state;
+  if (!is_back) return;
+  target_yaw_ = attitude_.yaw;
+  roll_loop_.reset();
+  pitch_loop_.reset();
+  yaw_loop_.reset();
 }
 
 /// A depth [m] and when it was measured. The same samples again change nothing, and no rate comes of depths that differ
@@ -99,7 +113,10 @@ void FinsRov::take_depth(float depth, Time origin) {
   const float dt = seconds(origin - depth_at_);
   const bool follows = depth_known_ && dt <= StepTime::kLongest;
   if (follows && dt >= kShortestStep) depth_rate_ += kRateFilter * ((depth - depth_now_) / dt - depth_rate_);
-  if (!follows) depth_rate_ = 0;
+  if (!follows) {
+    depth_rate_ = 0;
+    depth_loop_.reset();
+  }
   depth_known_ = true;
   depth_now_ = depth;
   depth_at_ = origin;

@@ -28,6 +28,7 @@ void PwmServo::safe() {
       channel_.set(pulse(angle_));
       return;
     case OnLoss::kRelease:
+      channel_.set_safe(0);
       channel_.set(0);
       return;
   }

@@ -46,24 +46,26 @@ bool Sbus::is_damaged() {
 }
 
 // A whole frame waits for the silence behind it, which tells when it came, or for the first byte of the next one.
+// Nothing else tells data that look like a frame: one ends whole frames before or behind the last silence.
 void Sbus::look(std::size_t size) {
   const std::uint8_t* const begin = recent_.begin();
   const std::size_t count = recent_.kept() + size;
   const bool is_silent = uart_->idle();
+  const std::size_t offset = uart_->since_silence() % kFrame;
   const std::uint8_t *last = nullptr, *good = nullptr;
   std::size_t at = 0, judged = 0;
   while (at + kFrame <= count) {
     const std::uint8_t* const frame = begin + at;
     if (frame[0] != kHead) {
       ++at;
-    } else if (!is_tail(frame[kFrame - 1])) {
+    } else if (is_tail(frame[kFrame - 1]) && at + kFrame == count && !is_silent) {
+      break;
+    } else if (!is_tail(frame[kFrame - 1]) || (count - at) % kFrame != offset) {
       if (at >= judged) {  // one of many that overlap is counted
         ++bad_frames_;
         judged = at + kFrame;
       }
       ++at;
-    } else if (at + kFrame == count && !is_silent) {
-      break;
     } else {
       ++frames_;
       last = frame;

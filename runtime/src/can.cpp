@@ -13,9 +13,6 @@ namespace {
 /// Of module can.
 enum CanFault : std::uint8_t { kBusOff = 1, kNoGroup };
 
-/// The count of errors above which a controller is passive: ISO 11898-1.
-constexpr std::uint8_t kErrorPassive = 127;
-
 /// Above what the routine takes that puts frames into mailboxes.
 constexpr Duration kLongestRoutine = 20 * kMicrosecond;
 
@@ -268,6 +265,7 @@ void CanBus::supervise() {
     // the next flush sends what holds then.
     if (transmit_errors() <= kErrorPassive) return;
     only_after_fault();
+    counters_.errors += port_->unsent();
     return port_->abort();
   }
   only_after_fault();

@@ -176,6 +176,29 @@ TEST_CASE_METHOD(Fixture, "a motor that falls silent is invalid and unreachable 
   CHECK(wheel.state.valid);
 }
 
+TEST_CASE_METHOD(Fixture,
+                 "behind a silence a motor without gear is where its encoder says, whatever its speed is by then") {
+  const auto after_silence = [&](DjiMotor& motor, std::uint16_t id, int rpm) {
+    receive(feedback(id, 4000, 0, 0, 30));
+    const float before = motor.state.angle;
+    for (int i = 0; i < 90; ++i) {
+      host::advance(10 * kMillisecond);
+      motor.update();
+    }
+    receive(feedback(id, 4300, rpm, 0, 30));
+    CHECK(motor.state.valid);
+    return static_cast<double>(motor.state.angle - before);
+  };
+  CHECK(after_silence(yaw, 0x207, 80) == Approx(2 * kPi * 300 / 8192).epsilon(1e-3));
+  CHECK(after_silence(wheel, 0x202, 80) == Approx(2 * kPi * (1 + 300.0 / 8192) / 19.2032).epsilon(1e-3));  // 0.6 turns
+}
+
+TEST_CASE_METHOD(Fixture, "turns are counted by the mean of two speeds") {
+  receive(feedback(0x202, 0, 6000, 0, 30));
+  receive(feedback(0x202, 4096, 0, 0, 30), 15 * kMillisecond - 1);  // 0.75 turns by the mean, 1.5 or none by either
+  CHECK(wheel.state.angle == Approx(2 * kPi * 0.5 / 19.2032).epsilon(1e-3));
+}
+
 TEST_CASE_METHOD(Fixture, "impossible feedback is not taken") {
   receive(feedback(0x202, 8192, 0, 0, 30));
   CHECK_FALSE(wheel.state.valid);

@@ -216,6 +216,23 @@ TEST_CASE_METHOD(Fixture, "a silent attitude sensor stops the thrusters by the a
   CHECK_FALSE(neutral());
 }
 
+TEST_CASE_METHOD(Fixture, "an attitude that comes back is held as it is: its yaw may count from elsewhere") {
+  send(500 * kMillisecond, "ONH:900");
+  send(600 * kMillisecond, "ACL:ON");
+  bench::at(1 * kSecond, [&] { sensor->silent = true; });
+  bench::at(2 * kSecond, [&] {
+    sensor->state.yaw += 2;
+    sensor->silent = false;
+  });
+  std::uint32_t before = 0;
+  bench::at(990 * kMillisecond, [&] { before = pca.pulse(0); });
+  bench::at(2500 * kMillisecond, [&] {
+    CHECK(robot->imu.state.valid);
+    CHECK(static_cast<double>(pca.pulse(0)) == Approx(before).margin(20000));
+  });
+  bench::run(3 * kSecond);
+}
+
 TEST_CASE_METHOD(Fixture, "one pressure sensor that falls silent, NACKs or disturbs stops them too") {
   send(500 * kMillisecond, "ONH:900");
   const int fault = GENERATE(0, 1, 2);

@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "finemote/bench/bench.hpp"
 #include "finemote/devices/pwm_esc.hpp"
+#include "finemote/devices/pwm_servo.hpp"
 #include "runtime/boards/host/ports/i2c_parts.hpp"
 #include "runtime/src/start.hpp"
 
@@ -94,6 +95,29 @@ TEST_CASE_METHOD(Fixture, "a part that runs with the right prescale is not put t
   CHECK(part.changes[before].at < 1 * kMillisecond);
 }
 
+TEST_CASE_METHOD(Fixture, "no pulse is sent as any other: a part that outlived our reset may show one") {
+  part.write({0x00, 0x20});
+  part.write({0xFE, 121});
+  part.write({0x12, 0, 0, 0x85, 0x01});
+  PwmServo servo{{500000, 2500000, 3.14159265F, false, 500000000, PwmServo::OnLoss::kRelease}, {pwm, 3}};
+  SECTION("where a job tells the servo that it has no command") {
+    bench::robot().slow = [&] {
+      servo.handle();
+      pwm.flush();
+    };
+  }
+  SECTION("where the robot stops before its first job") {
+    bench::robot().safe = [&] {
+      servo.safe();
+      pwm.flush();
+    };
+    bench::robot().slow = [this] { pwm.flush(); };
+  }
+  bench::run(100 * kMillisecond);
+  CHECK(part.pulse(3) == 0);
+  CHECK(written().front() == Bytes{0x12, 0, 0, 0, 0x10});  // full off, before anything else
+}
+
 TEST_CASE_METHOD(Fixture, "one burst from the first to the last changed channel; nothing when nothing changed") {
   bench::robot().safe = [&] {
     safe({0, 1, 2, 3, 4, 5, 6, 7});
@@ -125,7 +149,6 @@ TEST_CASE_METHOD(Fixture, "one burst from the first to the last changed channel;
   REQUIRE(burst.size() == 1);
   CHECK(burst[0].size() == 33);
 
-  pwm.set(15, 0);
   pwm.set(0, 0);  // no pulse: full off
   pwm.flush();
   pass(5 * kMillisecond);

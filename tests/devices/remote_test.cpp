@@ -208,6 +208,19 @@ TEST_CASE_METHOD(SbusFixture, "SBUS: bytes behind a frame are none") {
   CHECK_FALSE(device.state.valid);
 }
 
+TEST_CASE_METHOD(SbusFixture, "SBUS: data that look like a frame are none, whatever was cut before") {
+  const Bytes whole = sbus_frame({992, 992, 992, 992, 992, 992, 992, 1792, 1792, 993});
+  const auto inner = std::find(whole.begin() + 1, whole.end(), std::uint8_t{0x0F}) - whole.begin();
+  REQUIRE(inner < 25);
+  receive(whole);
+  REQUIRE(device.state.valid);
+  receive(Bytes(whole.begin() + inner, whole.end()));  // its begin was lost
+  for (int i = 0; i < 5; ++i) receive(whole);
+  CHECK(device.state.valid);
+  for (unsigned n = 0; n < 10; ++n)
+    CHECK(device.channel(n + 1) == std::vector<unsigned>{992, 992, 992, 992, 992, 992, 992, 1792, 1792, 993}[n]);
+}
+
 TEST_CASE_METHOD(SbusFixture, "SBUS: many beginnings in a row cost a frame or two and no more") {
   receive(Bytes(200, 0x0F));
   const std::uint32_t bad = device.bad_frames();

@@ -127,6 +127,8 @@ class CanBus {
   /// frames wait at most: then it was made at the earliest, and that is the time it is kept with. One that came before
   /// the first release is not kept: its age is not known. Context: interrupt.
   void on_frame(const CanFrame& frame, Moment arrival);
+  /// A frame came when there was no room for it. Context: interrupt.
+  void on_overrun() { ++counters_.lost; }
   /// A pended interrupt, or a mailbox that fell free. Context: interrupt.
   void on_interrupt();
 
@@ -139,8 +141,8 @@ class CanBus {
   /// Since nothing of ours waits any more the bus was idle once: nobody's frame waits behind what the start-up sent.
   /// Waits for eleven bits at most. Context: init, when no bucket runs.
   [[nodiscard]] bool quiet();
-  /// True while the controller is off the bus. Context: any.
-  [[nodiscard]] bool unreachable() const { return port_->bus_off(); }
+  /// True while the controller is off the bus, or nobody acknowledges. Context: any.
+  [[nodiscard]] bool unreachable() const { return port_->bus_off() || transmit_errors() > kErrorPassive; }
   /// Error counters of the controller (ISO 11898-1): above 127 it is passive; 256 transmit errors put it off the bus.
   /// Context: any.
   [[nodiscard]] std::uint8_t transmit_errors() const {
@@ -153,6 +155,8 @@ class CanBus {
 
  private:
   friend class CanSlot;
+  /// The count of errors above which a controller is passive: ISO 11898-1.
+  static constexpr std::uint8_t kErrorPassive = 127;
   /// A frame of eight bytes with all stuff bits, and the three bits between frames: ISO 11898-1.
   static constexpr std::int64_t kLongestFrameBits = 135;
   static constexpr std::int32_t longest_frame(std::int64_t bitrate) {

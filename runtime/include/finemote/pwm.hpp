@@ -16,8 +16,9 @@ namespace finemote {
 /// the generated schedule calls once at the end of every bucket that drives it.
 class PwmOutput {
  public:
-  /// Wanted pulse width [ns] of a channel, 0 = no pulse; sent by the next flush() if it differs from the last one.
-  /// A channel the part does not have is ignored. Context: any bucket.
+  /// Wanted pulse width [ns] of a channel, 0 = no pulse; sent by the next flush() if it is the first one or differs
+  /// from the last one: a part that outlived our reset may show any. A channel the part does not have is ignored.
+  /// Context: any bucket.
   void set(std::uint8_t channel, std::uint32_t pulse);
 
   /// Pulse width [ns] that is safe on this channel (an ESC's neutral): sent first after start and after any bus
@@ -40,8 +41,14 @@ class PwmOutput {
 
  protected:
   struct Channel {
-    Shared<std::uint32_t> pulse{0};
+    Shared<std::uint32_t> wanted{0};  ///< the pulse, and 1; 0: nobody has asked for one, and the part may show anything
     Shared<std::uint32_t> safe{0};
+
+    /// 0 also where nobody has asked.
+    [[nodiscard]] std::uint32_t pulse() const {
+      const std::uint32_t asked = wanted.load();
+      return asked - (asked != 0 ? 1 : 0);
+    }
   };
 
   constexpr PwmOutput(Channel* channels, std::uint8_t count, std::uint32_t period, bool tunable)

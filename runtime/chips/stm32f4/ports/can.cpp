@@ -217,6 +217,7 @@ void CanHardware::on_receive() {
   const stm32f4::CanRegisters& registers = setup.can;
   if (registers.rf0r().any(can::kOverrun)) {
     registers.rf0r().write(can::kOverrun);
+    bus->on_overrun();
     count_fault(Module::can, static_cast<std::uint8_t>(CanFault::overrun));
   }
   for (unsigned i = 0; i < 3 && registers.rf0r().any(can::kPendingMask); ++i) {  // the FIFO is three deep

@@ -24,7 +24,8 @@ struct DjiMotorKind {
 /// origin is when the last frame was made at the earliest; 20 ms without one, or with impossible values, make it
 /// invalid and the motor unreachable. The angle counts turns, helped by the speed where more than half a turn passes
 /// between two updates; the first one is within half a turn of the rotor either way of where the encoder's zero is said
-/// to be.
+/// to be. Behind a silence that made the state invalid, the angle of a motor without gear is within half a turn of the
+/// last one; with a gear the turns are a guess from the speeds before and after, and unknown behind more than a second.
 ///
 /// Drives while its command is valid, a number, and made from data not older than `max_age`; otherwise no current. Four
 /// motors share one frame: handle() sets the motor's two bytes, the bus sends the frame once at the end of the bucket.
@@ -48,6 +49,7 @@ class DjiMotor {
  private:
   void take(const CanSlot::Received& received);
   void count_turns(std::int32_t angle, float rpm, Time at);
+  [[nodiscard]] std::int32_t whole_turns(float step, float rpm, Duration gap) const;
   void drive(std::int16_t word);
 
   const DjiMotorKind* const kind_;
@@ -57,6 +59,7 @@ class DjiMotor {
   const Duration max_age_;
   std::uint32_t seen_ = 0;
   std::int32_t last_angle_ = 0;
+  float last_rpm_ = 0;
   Time last_at_ = 0;
   bool counting_ = false;
   std::int64_t position_ = 0;  ///< rotor, 8192 per turn

@@ -21,8 +21,8 @@ namespace finemote {
 /// between two updates is measured. The wrench goes through the allocation to the thrusters.
 ///
 /// It goes on with the last good inputs: what the thrusters get is as old as the oldest of them, and they stop by
-/// themselves when that is too old. Motion and test orders end `host_max_age` after the last of them came. Off until
-/// the host says `ON`.
+/// themselves when that is too old. When the attitude comes back, the heading of then is held. Motion and test orders
+/// end `host_max_age` after the last of them came. Off until the host says `ON`.
 class FinsRov {
  public:
   static constexpr unsigned kThrusters = 8;
@@ -75,6 +75,7 @@ class FinsRov {
   void take_inputs(Time at);
   bool take_orders(Time at);
   void obey(const FinsRovOrder& order, Time at);
+  void take_attitude();
   void take_depth(float depth, Time origin);
   void hold();
   void aim(float depth);
@@ -97,8 +98,9 @@ class FinsRov {
   FinsRovHost orders_;
   Mode mode_ = Mode::kOff;
   bool heading_on_ = false, reporting_ = false;
-  bool depth_known_ = false;  ///< at least once
-  ImuState attitude_;         ///< the last valid one
+  bool attitude_follows_ = false;  ///< the last update() had one
+  bool depth_known_ = false;       ///< at least once
+  ImuState attitude_;              ///< the last valid one
   float surface_[kSensors];
   float depth_now_ = 0, depth_rate_ = 0, target_depth_ = 0, target_yaw_ = 0;
   float surge_ = 0, sway_ = 0, turn_ = 0;
