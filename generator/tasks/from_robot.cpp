@@ -8,6 +8,7 @@
 #include "generator/model/part_clock.hpp"
 #include "generator/model/sample_interval.hpp"
 #include "generator/tasks/frame_units.hpp"
+#include "generator/tasks/publishing.hpp"
 #include "generator/tasks/robot_costs.hpp"
 #include "generator/tasks/robot_flushes.hpp"
 #include "generator/tasks/streamed_work.hpp"
@@ -172,7 +173,11 @@ Model model_of(const Robot& robot, const Forest& forest, const Schedule& schedul
     if (device.type != nullptr) traffic.add_device(device, place);
   }
   const bool is_computed = robot.computed && !robot.computed->is_guess;
-  if (!is_computed) add_crossings(robot, forest, schedule, model);  // else they run before stages
+  if (is_computed) {
+    charge_publishing(robot, forest, schedule, model);
+  } else {
+    add_crossings(robot, forest, schedule, model);
+  }
   add_flushes(robot, forest, schedule, places, traffic, model);
   traffic.settle();
   if (!is_computed) add_supervision(robot, model);

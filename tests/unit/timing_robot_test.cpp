@@ -1,5 +1,7 @@
 // The timing of the example robots, from their URDF.
+#include <map>
 #include <sstream>
+#include <utility>
 
 #include "catch.hpp"
 #include "generator/model/streamed_frames.hpp"
@@ -335,6 +337,41 @@ TEST_CASE("interrupts of a bus are those of what its devices declare") {
     REQUIRE(timing);
     CHECK(timing->schedulable);
   }
+}
+
+TEST_CASE("what publishes a value for a faster bucket counts with the stage that makes it") {
+  RobotPlan plan(R"(<device name="root" type="group" period="1ms">
+    <device name="slow" type="group" period="20ms">
+      <device name="leaf" type="sim_load" period="20ms"/>
+      <device name="fast" type="sim_load" period="1ms"/>
+    </device>
+  </device>)");
+  INFO(plan.said());
+  ComputedCosts costs;
+  std::int64_t number = 1;
+  for (std::size_t device = 0; device < plan.forest.order.size(); ++device, number += 2)
+    costs.before.push_back({nanoseconds(number * 100), nanoseconds(number * 100 + 100)});
+  costs.behind = {{1_ms, 30_ns}, {20_ms, 40_ns}};
+  plan.robot->computed = costs;
+  const auto extras = [&] {
+    std::map<std::string, std::pair<std::int64_t, std::int64_t>> result;
+    const auto model = make_timing_model(*plan.robot, plan.forest, plan.schedule, plan.diagnostics);
+    REQUIRE(model);
+    for (const timing::Device& d : model->devices) result[d.name] = {d.update_extra.ns(), d.handle_extra.ns()};
+    return result;
+  };
+  std::map<std::string, std::pair<std::int64_t, std::int64_t>> expected;
+  for (const DeviceId device : plan.forest.order) {
+    const auto& before = costs.before[device];
+    expected[plan.name(device)] = {before.update.ns(), before.handle.ns()};
+  }
+  const auto between = [](const Crossing& c) { return c.kind == Crossing::Kind::to_fast; };
+  REQUIRE(std::count_if(plan.schedule.crossings.begin(), plan.schedule.crossings.end(), between) == 2);
+
+  const auto move = [](std::int64_t& from, std::int64_t& to) { to += std::exchange(from, 0); };
+  move(expected["slow"].second, expected["slow"].first);   // its state, behind which its own handle() comes
+  move(expected["leaf"].second, expected["slow"].second);  // its command to `fast`
+  CHECK(extras() == expected);
 }
 
 TEST_CASE("costs that add up to more than 64 bits hold are reported at the first device") {
