@@ -68,10 +68,6 @@ std::vector<std::string> files_read(const Robot& robot, const Options& options, 
   return files;
 }
 
-NoMutable no_mutable_in(const Robot& robot, const Sources& sources) {
-  return may_change_constants(robot, sources.access()) ? NoMutable::of_finemote : NoMutable::of_anybody;
-}
-
 }  // namespace
 
 Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnostics) {
@@ -107,7 +103,9 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   const auto image = path ? read_image(*path, diagnostics) : std::nullopt;
   if (!image || (!options.elf.empty() && !is_image_of(planned->robot, planned->forest, *image, *path, diagnostics)))
     return no_answer();
-  const KeptMembers kept = kept_members(*path, no_mutable_in(planned->robot, sources), diagnostics);
+  const Liberties liberties{may_change_constants(planned->robot, sources.access()),
+                            may_make_anew(planned->robot, sources.access())};
+  const KeptMembers kept = kept_members(*path, liberties, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   progress.say("bounding execution times");
   inputs.placement = wcet::placement_of(*image);

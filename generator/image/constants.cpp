@@ -61,7 +61,7 @@ bool is_users(Dwarf_Die* type) {
 
 class Search {
  public:
-  explicit Search(NoMutable no_mutable) : no_mutable_(no_mutable) {}
+  explicit Search(Liberties liberties) : liberties_(liberties) {}
   KeptMembers found;
 
   /// Looks at a variable of this type at this place.
@@ -88,6 +88,7 @@ class Search {
       case DW_TAG_structure_type:
       case DW_TAG_class_type:
         if (name_of(&type).rfind("AtStart<", 0) == 0) return keep(found.at_start, at, size_of(&type));
+        if (liberties_.makes_anew && is_users(&type)) return;
         return each_member(type, at, [&](const Dwarf_Die& member, std::uint32_t place) {
           is_member_ = true;
           look(member, place, depth + 1);
@@ -107,7 +108,7 @@ class Search {
       const auto inner = is_pointer ? std::nullopt : type_of(&type);
       return tag == DW_TAG_volatile_type || (inner && has_mutable(*inner, depth + 1));
     }
-    if (no_mutable_ == NoMutable::of_finemote && is_users(&type)) return true;
+    if (liberties_.has_mutable && is_users(&type)) return true;
     Dwarf_Die member;
     if (dwarf_child(&type, &member) != 0) return false;
     do {
@@ -169,7 +170,7 @@ class Search {
     } while (dwarf_siblingof(&member, &member) == 0);
   }
 
-  const NoMutable no_mutable_;
+  const Liberties liberties_;
   std::vector<ImageRange>* constant_ = nullptr;  ///< of `found`
   bool is_member_ = false;
 };
@@ -191,14 +192,14 @@ void search_in(Dwarf_Die parent, Search& search, int depth, bool is_in_function 
 
 }  // namespace
 
-KeptMembers kept_members(const std::string& path, NoMutable no_mutable, Diagnostics& diagnostics) {
+KeptMembers kept_members(const std::string& path, Liberties liberties, Diagnostics& diagnostics) {
   const DebugFile file(path);
   if (!file.is_open()) {
     diagnostics.error(code::bad_image, {}, "cannot read the image '" + path + "'");
     return {};
   }
   if (file.dwarf() == nullptr) return {};
-  Search search(no_mutable);
+  Search search(liberties);
   Dwarf_Off offset = 0, next = 0;
   std::size_t header = 0;
   for (; dwarf_nextcu(file.dwarf(), offset, &next, &header, nullptr, nullptr, nullptr) == 0; offset = next) {

@@ -22,14 +22,14 @@ struct KeptMembers {
   std::vector<ImageRange> at_start;               ///< members of type finemote::AtStart: what start-up writes there
 };
 
-/// Whose classes have no `mutable` member: debug information does not tell of them.
-enum class NoMutable {
-  of_anybody,
-  of_finemote,  ///< and of none of the standard library: a user's may
+/// What a user's code may do to constants, of which debug information does not tell.
+struct Liberties {
+  bool has_mutable = false;  ///< classes of it may have `mutable` members
+  bool makes_anew = false;   ///< objects of its classes may be made anew in their place, before main, say
 };
 
 /// Of all variables with static storage of the image at `path`. Reports FM6101 when the debug information cannot be
 /// read; an image without any has no such members.
-KeptMembers kept_members(const std::string& path, NoMutable no_mutable, Diagnostics& diagnostics);
+KeptMembers kept_members(const std::string& path, Liberties liberties, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -1,6 +1,6 @@
 // What a port or its driver cannot do for the devices on it: FM3078 (an inverted line), FM3080 (more command frames
-// than a CAN bus holds), FM3083 (more devices, identifiers or bytes than a bus serves). The firmware would stop at its
-// start, lose bytes, or be silent.
+// than a CAN bus holds), FM3083 (more devices, identifiers or bytes than a bus serves, or none). The firmware would
+// stop at its start, lose bytes, or be silent.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -180,6 +180,13 @@ void check_frame(Reading& reading, const Frame& frame, BusId id, DeviceId index,
   const Port* port = reading.buses[id].port;
   if (port == nullptr || frame.stage == FrameStage::autonomous) return;
   const Bus& bus = reading.robot.buses[id];
+  if (bus_type(bus.kind).is_mastered && frame.write_bytes == 0 && frame.read_bytes == 0) {
+    at_tag(reading.diagnostics, code::bus_full, tag,
+           fmt::format("device '{}' asks for a transfer without bytes over bus '{}'",
+                       reading.robot.devices[index].name.text, bus.name.text))
+        .hint("let its type say what it writes or reads, in this entry of \"frames\"");
+    return;
+  }
   const BusType::Longest& longest = bus_type(bus.kind).longest;
   if (longest.with_dma && (port->dma.empty() || frame.in_dma_memory)) return;
   const auto check = [&](const char* does, std::int64_t bytes, std::optional<std::int64_t> most) {

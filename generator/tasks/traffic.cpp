@@ -127,7 +127,8 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
     add_selection(connection.segment, rate, use);
     add_transfer(place, *bus, unit.stage, use);
     Transfer& transfer = own.transfers.back();
-    if (unit.stage == FrameStage::autonomous) transfer.wire = longest_of_bits(robot_, device, transfer.wire);
+    const bool sends = unit.stage == FrameStage::autonomous || (unit.reads && !bus_type(rate.kind).is_mastered);
+    if (sends) transfer.wire = longest_of_bits(robot_, device, transfer.wire);
     transfer.reads = unit.is_asked() && unit.reads;
     transfer.writes = unit.is_asked() && unit.writes;
     transfer.sets = unit.is_asked() && unit.sets;
@@ -136,6 +137,17 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
     transfer.turns = unit.turns;
     if (connection.use == nullptr) transfer.identifier = own_identifier(device, frames, unit.stage);
   }
+  share_wire_of_answers(own.transfers, static_cast<std::size_t>(slot - 1));
+}
+
+/// A part has one wire for what it answers and for what it sends by itself: where it does both, neither passes the
+/// other.
+/// @param first  the first transfer of the connection
+void Traffic::share_wire_of_answers(std::vector<Transfer>& transfers, std::size_t first) {
+  const auto begin = transfers.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto answers = [](const Transfer& t) { return t.reads; };
+  if (std::none_of(begin, transfers.end(), answers)) return;
+  std::for_each(begin, transfers.end(), [](Transfer& t) { t.receive = false; });
 }
 
 /// A command may leave with what the next update() sends: where nothing leaves after handle(), or where both go over

@@ -45,6 +45,7 @@ class Traffic {
 
  private:
   void add_frames(const gen::Device& device, const Connection& connection, Rank place);
+  static void share_wire_of_answers(std::vector<Transfer>& transfers, std::size_t first);
   void add_transfer(Rank place, BusPlace bus, FrameStage stage, const WireUse& use);
   void add_own_lines(const gen::Device& device, Rank place);
   [[nodiscard]] std::optional<BusPlace> bus_of(const gen::Device& device) const;

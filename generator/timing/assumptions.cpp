@@ -10,9 +10,8 @@ constexpr Assumption kAssumptions[] = {
     {"declared-traffic",
      "a device and its part send no more frames than the descriptor declares, no longer ones, and on CAN no shorter "
      "ones; the device asks in the stage that its descriptor names, and reads its serial line in update(); a part that "
-     "is "
-     "asked on a serial line answers at once; where a device has several requests over one connection in a job, none "
-     "goes again while another waits",
+     "is asked on a serial line answers at once, and on CAN within the time that its descriptor gives a measurement; "
+     "where a device has several requests over one connection in a job, none goes again while another waits",
      undetectable},
     {"part-clocks",
      "the clock of a part is off by tolerance_ppm of its descriptor at most, and a measurement takes no "

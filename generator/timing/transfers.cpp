@@ -55,6 +55,15 @@ Duration TransferBounds::with_service(const Item& item, std::int64_t interrupts,
   return std::min(item.pure + service + interrupts * delay, together);
 }
 
+/// Of a part on a bus that arbitrates, behind its question: a part may answer as late as a measurement takes. What
+/// answers a frame that several devices fill comes when that one has left, which it has before the next one.
+Duration TransferBounds::latest_answer(const Device& device, const Transfer& transfer) const {
+  const bool answers = transfer.reads && transfer.after != Transfer::After::autonomous;
+  if (!answers || !model_.buses[transfer.bus].arbitrated) return {};
+  const Duration thinking = device.acquisition ? device.acquisition->conversion : Duration::zero();
+  return thinking + (transfer.writes || transfer.slot != 0 ? Duration::zero() : device.period);
+}
+
 void TransferBounds::collect() {
   const Responses& r = responses_;
   is_declared_ = Table<BusPlace, bool>(model_.buses.size(), true);
@@ -72,12 +81,13 @@ void TransferBounds::collect() {
       if (t.after == Transfer::After::handle) item.jitter = r.r_minus[d];
       if (t.after == Transfer::After::bucket) item.jitter = r.bucket[w];
       if (item.autonomous) {
-        item.rank = 0;
+        if (t.receive) item.rank = 0;  // else its part may answer before it sends this
         item.bounded = true;
         if (t.min_interval > Duration::zero()) item.period = t.min_interval;
       }
       if (t.identifier) item.identifiers = {*t.identifier, *t.identifier};
       item.is_split = t.frames > 1;
+      item.late = latest_answer(model_.devices[d], t);
       item_of_[d].push_back(add_item(item, t.interrupts, t.service));
     }
   }
@@ -168,7 +178,7 @@ std::optional<Duration> TransferBounds::more_urgent(const Item& own, Duration ti
   for (const Item& item : items_) {
     if (&item == &own || !competes(item, own) || !own.yields_to(item)) continue;
     if (!item.bounded) return std::nullopt;
-    const Duration span = time + item.jitter + own.bit;
+    const Duration span = time + item.jitter + item.late + own.bit;
     total += (with_begin ? floor_div(span, item.period) + 1 : ceil_div(span, item.period)) * item.on_wire();
   }
   return total;

@@ -64,6 +64,7 @@ class TransferBounds {
     /// Identifiers of its first and last frame there; none: not known.
     std::optional<std::pair<std::int64_t, std::int64_t>> identifiers = std::nullopt;
     std::int64_t frames = 1;  ///< that it is sent in, all equally long
+    Duration late = {};       ///< from its hand-over to when the part begins to answer, at the latest
     bool is_split = false;    ///< in frames of which nobody knows how long the last is
     std::size_t bucket = 0;   ///< whose jobs hand it over
     /// On a polled bus: from the end of a transfer to the look that sees it, and begins the next one.
@@ -80,6 +81,7 @@ class TransferBounds {
   };
 
   void collect();
+  [[nodiscard]] Duration latest_answer(const Device& device, const Transfer& transfer) const;
   void add_looks();
   void add_load();
   std::size_t add_item(Item item, std::int64_t interrupts, Duration service);

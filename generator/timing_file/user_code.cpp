@@ -1,7 +1,9 @@
 #include "generator/timing_file/user_code.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "generator/model/firmware_inputs.hpp"
@@ -40,6 +42,32 @@ std::vector<SourceText> user_texts(const Robot& robot, const files::Access& acce
   return all;
 }
 
+/// Whether `says_so` holds of one of them, or nobody knows because words are made of two.
+template <typename SaysSo>
+bool may_say(const Robot& robot, const files::Access& access, const SaysSo& says_so) {
+  const std::vector<SourceText> all = user_texts(robot, access);
+  return std::any_of(all.begin(), all.end(), [&](const SourceText& file) {
+    const std::string lines = logical_lines(file.text);
+    return says_so(file.text) || says_so(lines) || has_pasted_words(lines);
+  });
+}
+
+bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// `new (place)`, or what the library has for it.
+bool makes_in_place(std::string_view text) {
+  for (const std::string_view word : {"construct_at", "uninitialized_"}) {
+    if (text.find(word) != std::string_view::npos) return true;
+  }
+  constexpr std::string_view kNew = "new";
+  for (std::size_t at = text.find(kNew); at != std::string_view::npos; at = text.find(kNew, at + 1)) {
+    const std::size_t next = text.find_first_not_of(" \t\r\n", at + kNew.size());
+    const bool is_whole = at == 0 || !is_of_word(text[at - 1]);
+    if (is_whole && next != std::string_view::npos && text[next] == '(') return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, const std::vector<SourceText>& shipped,
@@ -66,12 +94,9 @@ std::vector<std::string> user_files(const Robot& robot, const files::Access& acc
 }
 
 bool may_change_constants(const Robot& robot, const files::Access& access) {
-  const std::vector<SourceText> all = user_texts(robot, access);
-  const auto says_so = [](const std::string& text) { return text.find("mutable") != std::string::npos; };
-  return std::any_of(all.begin(), all.end(), [&](const SourceText& file) {
-    const std::string lines = logical_lines(file.text);
-    return says_so(file.text) || says_so(lines) || has_pasted_words(lines);
-  });
+  return may_say(robot, access, [](std::string_view text) { return text.find("mutable") != std::string_view::npos; });
 }
+
+bool may_make_anew(const Robot& robot, const files::Access& access) { return may_say(robot, access, makes_in_place); }
 
 }  // namespace finemote::gen

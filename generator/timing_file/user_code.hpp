@@ -24,4 +24,7 @@ std::vector<std::string> user_files(const Robot& robot, const files::Access& acc
 /// change, then.
 bool may_change_constants(const Robot& robot, const files::Access& access);
 
+/// The same of what makes an object in a given place: one with constant members may be made anew.
+bool may_make_anew(const Robot& robot, const files::Access& access);
+
 }  // namespace finemote::gen

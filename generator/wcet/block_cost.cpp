@@ -56,6 +56,7 @@ std::optional<Cycles> CodeCost::run(const Instruction& i, const Machine& machine
     if (!wait) return std::nullopt;
     cycles += std::max(*wait, may_be_unaligned(i.id) ? unaligned_wait(word.access) : Cycles{0});
   }
+  if (i.id == ARM_INS_ISB) cycles += jump(i.end()) - table_->taken;  // what was fetched is fetched again
   if (i.id == ARM_INS_TBB || i.id == ARM_INS_TBH)
     cycles += longest_wait(Interval::of(i.end()), placement_, table_->waits).value_or(0);
   return cycles;

@@ -165,9 +165,9 @@ void addition(const Instruction& i, Machine& machine) {
   const Value a = operand(i, left, machine), b = operand(i, left + 1, machine);
   set_result(i, sum(a, b), machine);
   constexpr std::uint32_t kOwnNegative = 0x8000'0000;  // of which the overflow is the other way round
-  const bool has_negative = b.range().is_constant() && b.range().low != 0 && b.range().low != kOwnNegative;
-  const bool is_comparison = i.sets_flags && has_negative;
-  if (is_comparison) subtract_flags(i, a, Value::of(0U - b.range().low), machine);
+  const Interval added = b.anywhere();
+  const bool is_comparison = i.sets_flags && added.is_constant() && added.low != 0 && added.low != kOwnNegative;
+  if (is_comparison) subtract_flags(i, a, Value::of(0U - added.low), machine);
 }
 
 /// By an immediate, or by a register of which one value is known.

@@ -19,6 +19,12 @@ bool may_mask(const std::string& text) {
          text.find("faultmask") != std::string::npos || text.find("basepri") != std::string::npos;
 }
 
+/// Or the register that tells which of them counts: ARMv7-M B1.4.4.
+bool names_stack_pointer(const std::string& text) {
+  return text.find("msp") != std::string::npos || text.find("psp") != std::string::npos ||
+         text.find("control") != std::string::npos;
+}
+
 bool has_mark(std::uint32_t place, std::uint32_t mark, const Marks& marks) {
   const auto [first, last] = marks.brackets.equal_range(place);
   return std::any_of(first, last, [&](const auto& bracket) { return bracket.second == mark; });
@@ -35,6 +41,14 @@ std::optional<std::uint32_t> masks_by_itself(const ProgramFunction& function, co
     const std::string text = in_lower_case(i->text);
     const bool is_of_section = (begins && text == "cpsid i") || (ends && text.rfind("msr primask,", 0) == 0);
     if (may_mask(text) && !is_of_section) return i->address;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> sets_stack_pointer(const ProgramFunction& function, const BasicBlock& block) {
+  const Instruction* i = function.body.at(block.begin);
+  for (; i != nullptr && i->address < block.end; i = function.body.at(i->end())) {
+    if (i->id == ARM_INS_MSR && names_stack_pointer(in_lower_case(i->text))) return i->address;
   }
   return std::nullopt;
 }

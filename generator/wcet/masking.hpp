@@ -1,4 +1,4 @@
-// Code that keeps interrupts out.
+// Code that keeps interrupts out, or takes another stack.
 #pragma once
 
 #include <cstdint>
@@ -13,5 +13,8 @@ namespace finemote::gen::wcet {
 /// is marked as masked: how long such sections are is known. None: there is no such instruction.
 std::optional<std::uint32_t> masks_by_itself(const ProgramFunction& function, const BasicBlock& block,
                                              const Marks& marks);
+
+/// An instruction of the block that sets a stack pointer by MSR. None: there is no such instruction.
+std::optional<std::uint32_t> sets_stack_pointer(const ProgramFunction& function, const BasicBlock& block);
 
 }  // namespace finemote::gen::wcet

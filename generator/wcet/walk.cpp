@@ -22,7 +22,10 @@ namespace {
 
 /// Where a walk gives up: no routine that must end in a period is longer.
 constexpr std::size_t kMostNodes = 1'000'000;
+/// Those of tries that leave no trace included.
+constexpr std::size_t kMostVisits = 2'000'000;
 constexpr std::size_t kDeepestCalls = 64;
+constexpr const char* kIntoFlash = "a call out of code in SRAM into flash";
 constexpr const char* kTooDeep = "more than 64 calls in each other";
 /// A tenth of a second: longer ones are none of a routine that has a period.
 constexpr Cycles kLongestWait = 16'800'000;
@@ -103,9 +106,12 @@ void note(const Frame& frame, const Loop& loop, std::uint64_t rounds, std::map<s
 std::optional<std::pair<std::uint32_t, std::string>> refusal_of(const Frame& frame, std::uint32_t block,
                                                                 const Marks& marks) {
   if (is_passed_by_some(frame, block, marks)) return {{block, "a mark that not every round of its loop passes"}};
-  const auto place = masks_by_itself(frame.function, frame.function.graph.blocks.at(block), marks);
-  if (!place) return std::nullopt;
-  return {{*place, "interrupts are kept out, and what that delays has no bound"}};
+  const BasicBlock& code = frame.function.graph.blocks.at(block);
+  if (const auto place = masks_by_itself(frame.function, code, marks))
+    return {{*place, "interrupts are kept out, and what that delays has no bound"}};
+  if (const auto place = sets_stack_pointer(frame.function, code))
+    return {{*place, "the stack pointer is set, and what lies on the stack is not known"}};
+  return std::nullopt;
 }
 
 constexpr const char* kUnlimitedWait = "a wait whose limit is not known";
@@ -193,7 +199,7 @@ class Walker {
 
  private:
   Surroundings surroundings() { return {context_.constants, unknowns_, context_.stores}; }
-  [[nodiscard]] bool is_spent() const { return walked_.graph.nodes.size() > kMostNodes; }
+  [[nodiscard]] bool is_spent() const { return walked_.graph.nodes.size() > kMostNodes || visits_ > kMostVisits; }
   void fail(std::uint32_t address, const ProgramFunction* function, std::string why) {
     ++failures_;
     walked_.problems.try_emplace(address, WalkProblem{address, function, std::move(why), chain_.sites()});
@@ -204,6 +210,7 @@ class Walker {
                                const ProgramFunction* caller) {
     const ProgramFunction* function = context_.program.at(address);
     if (function == nullptr) return fail(from, caller, "a call of what is no function"), std::nullopt;
+    if (!context_.cost.is_at_home(address)) return fail(from, caller, kIntoFlash), std::nullopt;
     if (chain_.has(function)) return fail(from, caller, "recursion: it has no bound"), std::nullopt;
     if (chain_.depth() == kDeepestCalls) return fail(from, caller, kTooDeep), std::nullopt;
     chain_.enter(function, from);
@@ -325,6 +332,7 @@ class Walker {
   }
 
   void visit(Frame& frame, std::uint32_t block) {
+    ++visits_;
     Arrival arrival = std::move(*frame.arrivals[block]);
     frame.arrivals[block].reset();
     if (const auto refused = refusal_of(frame, block, context_.marks))
@@ -369,7 +377,7 @@ class Walker {
   Unknowns unknowns_;
   Walked walked_;
   LongestLoop longest_;
-  std::size_t failures_ = 0;
+  std::size_t failures_ = 0, visits_ = 0;
   LoopNests nests_;
   ExclusiveStores exclusive_stores_;
   Waits waits_;

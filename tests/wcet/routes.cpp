@@ -21,7 +21,7 @@ gen::Image image_at(const std::string& path) {
 
 gen::KeptMembers members_at(const std::string& path) {
   gen::Diagnostics diagnostics;
-  return gen::kept_members(path, gen::NoMutable::of_anybody, diagnostics);
+  return gen::kept_members(path, {}, diagnostics);
 }
 
 Routine routine_of(unsigned exception, Walked walked) {
