@@ -46,6 +46,33 @@ TEST_CASE("what a part measures by itself is read a period after update() has as
   CHECK(*acquire > finemote::gen::milliseconds(6));
 }
 
+TEST_CASE("a part has one wire for what it answers and for what it sends by itself") {
+  const std::string uart = R"(type="uart" port="usart1" baud="115200baud")";
+  const auto acquire = chain(timing_of(uart, R"(type="streams_and_answers")"), "own", "own").acquire;
+  REQUIRE(acquire);
+  // Interval, the answer of 32 bytes that has just begun, and the sample's 20 bytes, by a clock that is 1 % slow.
+  CHECK(*acquire > finemote::gen::microseconds(24'760));
+}
+
+TEST_CASE("on CAN an answer may come as late as its measurement takes, and lets others wait then") {
+  const auto wire_beside = [](const std::string& type) {
+    const Robots robot = Robots::with("<bus name=\"can\" " + kCan + "/>" + R"(
+        <device name="p" bus="can" period="1ms" id="1" type=")" +
+                                      type + R"("/>
+        <device name="q" bus="can" period="1ms" id="2" type=")" +
+                                      type + R"("/>
+        <device name="own" bus="can" period="10ms" id="3" type="late_on_can"/>)");
+    Diagnostics findings;
+    const auto timing = analyse(robot.model, {}, findings);
+    REQUIRE(timing);
+    const auto wire = chain(*timing, "own", "own").wire;
+    REQUIRE(wire);
+    return *wire;
+  };
+  // Those of the jobs before, of both.
+  CHECK(wire_beside("slow_asker") >= wire_beside("asker") + finemote::gen::microseconds(400));
+}
+
 TEST_CASE("a measurement may find its slot taken by another stage of its device, again and again") {
   const Timing timing = timing_of(kI2c, R"(type="seesaw")");
   CHECK_FALSE(chain(timing, "own", "own").acquire);
