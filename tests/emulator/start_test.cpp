@@ -53,6 +53,26 @@ TEST_CASE("an image that a boot loader starts has its own vectors") {
   check_no_reports(board);
 }
 
+TEST_CASE("an image that a boot loader starts takes nothing from it: neither its clock nor its interrupts") {
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
+  board.load(test_image("sample"));
+  auto& system = board.world().system();
+  auto& chip = board.chip();
+  constexpr std::uint32_t kRcc = 0x40023800, kFlashAccess = 0x40023C00;
+  chip.write(kFlashAccess, 4, 5);
+  chip.write(kRcc + 0x04, 4, 8 | 84 << 6 | 4 << 24);  // of the HSI: 16 MHz / 8 * 84 / 2 = 84 MHz
+  chip.write(kRcc, 4, 1 | 1 << 24);
+  chip.write(kRcc + 0x08, 4, 4 << 10 | 2);
+  system.write(0xE000E100, 4, 1U << 28, 0, 0);  // TIM2 is enabled
+  REQUIRE(board.run_for(50'000'000) == Stop::time);
+  CHECK(chip.rcc.core_hz() == 168'000'000);
+  system.write(0xE000E200, 4, 1U << 28, 0, 0);  // and asks
+  const std::size_t stages = board.stages().size();
+  REQUIRE(board.run_for(20'000'000) == Stop::time);
+  CHECK(board.stages().size() > stages + 10);
+  check_no_reports(board);
+}
+
 TEST_CASE("a chip of revision A gets no prefetch") {
   for (const bool is_old : {false, true}) {
     Board board{finemote::test::type_c(), finemote::test::tested_chip()};

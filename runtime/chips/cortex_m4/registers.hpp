@@ -25,7 +25,7 @@ constexpr std::uint32_t kMaxInterval = 1U << 24;
 
 namespace scb {                                 // 4.4
 using InterruptControl = Register<0xE000ED04>;  // 4.4.3
-constexpr std::uint32_t kSysTickPending = bit(26), kClearSysTick = bit(25);
+constexpr std::uint32_t kSysTickPending = bit(26), kClearSysTick = bit(25), kClearPendSv = bit(27);
 using VectorTable = Register<0xE000ED08>;   // 4.4.4
 using ResetControl = Register<0xE000ED0C>;  // 4.4.5
 constexpr std::uint32_t kResetKey = 0x05FA0000, kSystemReset = bit(2), kPriorityGroupMask = 7U << 8;
@@ -44,7 +44,8 @@ inline void set_priority(unsigned exception, std::uint8_t level) {
 }
 }  // namespace scb
 
-namespace nvic {  // 4.3; `word` is line / 32
+namespace nvic {                                              // 4.3; `word` is line / 32
+constexpr unsigned kLines = 82, kWords = (kLines + 31) / 32;  // of the STM32F405/407: RM0090 12.2
 inline void enable(unsigned line) {
   *reinterpret_cast<volatile std::uint32_t*>(0xE000E100U + 4 * (line / 32)) = bit(line % 32);
 }
@@ -53,6 +54,12 @@ inline void disable(unsigned line) {  // 4.3.3
 }
 inline void clear_pending(unsigned line) {  // 4.3.5
   *reinterpret_cast<volatile std::uint32_t*>(0xE000E280U + 4 * (line / 32)) = bit(line % 32);
+}
+inline void disable_all() {
+  for (unsigned word = 0; word < kWords; ++word) {
+    *reinterpret_cast<volatile std::uint32_t*>(0xE000E180U + 4 * word) = UINT32_MAX;
+    *reinterpret_cast<volatile std::uint32_t*>(0xE000E280U + 4 * word) = UINT32_MAX;
+  }
 }
 inline volatile std::uint32_t& set_pending(unsigned word) {
   return *reinterpret_cast<volatile std::uint32_t*>(0xE000E200U + 4 * word);
@@ -87,6 +94,12 @@ inline void barrier() { asm volatile("dsb\n\tisb" : : : "memory"); }
 /// Masks every exception at `level` and below it (BASEPRI, 2.1.3); more urgent ones stay.
 inline void mask_from(std::uint8_t level) {
   asm volatile("msr basepri, %0\n\tisb" : : "r"(static_cast<std::uint32_t>(level) << 4) : "memory");
+}
+
+/// Lets every exception in: PRIMASK, FAULTMASK and BASEPRI as after a reset, 2.1.3.
+inline void unmask_all() {
+  mask_from(0);
+  asm volatile("cpsie f\n\tcpsie i" : : : "memory");
 }
 
 inline std::uint32_t exception_number() {

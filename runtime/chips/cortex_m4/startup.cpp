@@ -23,12 +23,23 @@ void zero(std::uint32_t* begin, const std::uint32_t* end) {
   while (begin < end) *begin++ = 0;
 }
 
+/// What a boot loader has left enabled, pending or masked: as after a reset, nothing interrupts but what is enabled
+/// from here on.
+inline void forget_interrupts() {
+  using namespace finemote::cortex_m4;
+  systick::Control::write(0);
+  nvic::disable_all();
+  scb::InterruptControl::write(scb::kClearSysTick | scb::kClearPendSv);
+  unmask_all();
+}
+
 }  // namespace
 
 extern "C" [[noreturn]] void finemote_reset() {
   using namespace finemote::cortex_m4;
   // A boot loader may have left its own: PM0214 4.4.4.
   scb::VectorTable::write(reinterpret_cast<std::uintptr_t>(finemote_vectors));
+  forget_interrupts();
   // Before any function that may use an FPU register.
   scb::CoprocessorAccess::set(scb::kFpuFullAccess);
   barrier();

@@ -1,6 +1,8 @@
 // The vector table: core exceptions, then `finemote_line_N` for every interrupt line N of the STM32F405/407.
 #include <cstdint>
 
+#include "runtime/chips/cortex_m4/registers.hpp"
+
 extern "C" {
 extern std::uint32_t _stack_top;  // sections.ld
 [[noreturn]] void finemote_reset();
@@ -25,8 +27,8 @@ FINEMOTE_LINES(FINEMOTE_DECLARE)
 
 struct VectorTable {
   std::uint32_t* stack;
-  void (*core[15])();   // exception numbers 1..15
-  void (*lines[82])();  // exception numbers 16..97
+  void (*core[15])();                                  // exception numbers 1..15
+  void (*lines[finemote::cortex_m4::nvic::kLines])();  // exception numbers 16..97
 };
 
 #define FINEMOTE_ENTRY(n) finemote_line_##n,

@@ -39,6 +39,18 @@ constexpr std::uint32_t kCrystalPolls = 400'000, kPllPolls = 40'000, kSwitchPoll
   stop_safely(Module::board, static_cast<std::uint8_t>(fault), text);
 }
 
+/// A boot loader may have left the core on a PLL, which is set up while it is off: RM0090 7.3.2.
+void leave_pll() {
+  if (!rcc::cr.any(rcc::kCrPllOn)) return;
+  rcc::cr.set(rcc::kCrHsiOn);
+  const bool is_ready = wait_for(rcc::cr, rcc::kCrHsiReady, rcc::kCrHsiReady, kSwitchPolls);
+  rcc::cfgr.modify(rcc::kCfgrSwitchMask, rcc::kCfgrSwitchHsi);
+  if (!is_ready || !wait_for(rcc::cfgr, rcc::kCfgrStatusMask, rcc::kCfgrStatusHsi, kSwitchPolls))
+    fail(BoardFault::clock_switch, "the core stays on the clock of a boot loader");
+  rcc::cr.clear(rcc::kCrPllOn);
+  if (!wait_for(rcc::cr, rcc::kCrPllReady, 0, kPllPolls)) fail(BoardFault::pll, "the PLL does not stop");
+}
+
 void start_crystal() {
   rcc::cr.set(rcc::kCrHseOn);
   if (!wait_for(rcc::cr, rcc::kCrHseReady, rcc::kCrHseReady, kCrystalPolls))
@@ -75,6 +87,7 @@ void switch_to_pll() {
 }  // namespace
 
 void start_clock() {
+  leave_pll();
   start_crystal();
   start_flash();
   start_pll();

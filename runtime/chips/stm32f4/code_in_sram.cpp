@@ -85,9 +85,11 @@ FINEMOTE_INLINE void note_bad_copy() {
 
 }  // namespace
 
-/// Where every reset begins, and a boot loader ends: with a stack that the copy does not overwrite.
+/// Where every reset begins, and a boot loader ends: with a stack that the copy does not overwrite, and without
+/// interrupts that have no vector here.
 extern "C" FINEMOTE_BOOT __attribute__((naked)) void finemote_boot() {
   asm volatile(
+      "cpsid i\n\t"
       "ldr r0, =_stack_top\n\t"
       "msr msp, r0\n\t"
       "b finemote_boot_copy");
