@@ -90,7 +90,7 @@ Difference difference_of(const fs::path& folder, const std::vector<OutputFile>& 
   return difference;
 }
 
-/// Writes what differs and removes what is left over. @return false: a file could not be written, which was reported
+/// Writes what differs and removes what is left over. @return false: it did not succeed, which was reported
 bool bring_up_to_date(const fs::path& folder, const std::vector<OutputFile>& files, const Difference& difference,
                       Diagnostics& diagnostics) {
   for (const OutputFile& file : files) {
@@ -98,8 +98,13 @@ bool bring_up_to_date(const fs::path& folder, const std::vector<OutputFile>& fil
         std::find(difference.different.begin(), difference.different.end(), file.name) != difference.different.end();
     if (differs && !write(folder, file, diagnostics)) return false;
   }
-  std::error_code ignored;
-  for (const std::string& name : difference.left_over) fs::remove(folder / name, ignored);
+  for (const std::string& name : difference.left_over) {
+    std::error_code error;
+    fs::remove(folder / name, error);
+    if (!error) continue;
+    report_unwritten((folder / name).generic_string(), system_reason(error.value()), diagnostics);
+    return false;
+  }
   return true;
 }
 

@@ -74,7 +74,8 @@ std::string shortened(const std::string& output) {
   const std::size_t last = output.rfind('\n', kMostShown);
   const std::size_t end = last == std::string::npos ? kMostShown : last + 1;
   const auto left = std::count(output.begin() + static_cast<std::ptrdiff_t>(end), output.end(), '\n');
-  return output.substr(0, end) + fmt::format("... and {} lines more\n", std::max<std::ptrdiff_t>(left, 1));
+  return output.substr(0, end) +
+         fmt::format("... and {} more line{}\n", std::max<std::ptrdiff_t>(left, 1), left > 1 ? "s" : "");
 }
 
 /// What a shell has set for other programs is none of the firmware's options.
@@ -102,7 +103,7 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
   if (wants_heap(result.output))
     finding.hint("there is no heap: keep what std::vector, std::string or new would allocate in members of fixed size");
   if (messages_of(result.output).find("[-Werror=date-time]") != std::string::npos)
-    finding.hint("bounds are of one image, and one that holds the time of its compilation is another one each time");
+    finding.hint("__DATE__ and __TIME__ change the image on every build, so no bound would apply to it: remove them");
   if (is_too_large_for_sram(result.output))
     finding.hint("with its code in flash, where it has more room: <param name=\"code\">flash</param> in <board>");
   return false;

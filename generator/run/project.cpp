@@ -31,15 +31,16 @@ std::vector<std::string> files_of_the_compiler(const FirmwareRequest& request) {
   return files;
 }
 
-/// The sources in folders, sorted.
+/// The sources in folders, sorted in each: the order in which finemote_add_firmware links them.
 std::vector<std::string> user_sources(const std::vector<std::string>& dirs) {
   std::vector<std::string> sources;
   for (const std::string& dir : dirs) {
+    const auto first = static_cast<std::ptrdiff_t>(sources.size());
     for (const auto& entry : fs::directory_iterator(dir)) {
       if (entry.path().extension() == ".cpp") sources.push_back(entry.path().string());
     }
+    std::sort(sources.begin() + first, sources.end());
   }
-  std::sort(sources.begin(), sources.end());
   return sources;
 }
 

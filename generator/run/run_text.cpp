@@ -220,7 +220,7 @@ void print_unjudged(const RunResult& result, std::ostream& out) {
     if (claim.age.judged() == Judgement::no_sample)
       lines += fmt::format("  {:<{}} its data ({})\n", name_of(result, claim.device), width,
                            result.record.scripted_resets > 0 && result.record.violated_from < result.record.ready
-                               ? "not looked at behind a reset"
+                               ? "not judged after a reset"
                                : "never seen to be valid");
   }
   if (!lines.empty()) out << "\nnot judged\n" << lines;

@@ -131,7 +131,7 @@ void report_declared(const Timing& timing, Diagnostics& diagnostics) {
     const Device& device = timing.model.devices[d];
     diagnostics
         .error(code::timing_above_declared, device.at,
-               fmt::format("the image can take longer than <wcet> of '{}' declares", device.name))
+               fmt::format("the image can take longer than the <wcet> of '{}' declares", device.name))
         .note(fmt::format("bounds of the image: {}, {}", stage_text("update", device.update_static),
                           stage_text("handle", device.handle_static)))
         .hint(fmt::format("<wcet update=\"{}\" handle=\"{}\" source=\"budget\"/>, or make the code faster",

@@ -39,7 +39,7 @@ struct CostTable {
   Cycles skipped = 1;  ///< an instruction in an IT block whose condition fails
 
   Cycles straddling = 1;      ///< a wide instruction at an odd halfword may starve the decoder: not documented
-  Cycles wait_states = 5;     ///< of a line of flash at 168 MHz and 2.7 V: RM0090 table 11
+  Cycles wait_states = 5;     ///< of a line of flash at 168 MHz and 2.7 V: RM0090 table 10
   Cycles read_in_flight = 6;  ///< a whole line of flash before it: reads cannot be taken back
 
   /// Of a routine that uses the FPU: the registers of what it interrupts are saved at the first such instruction, 17

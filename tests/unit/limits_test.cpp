@@ -30,6 +30,19 @@ TEST_CASE("the generator knows the level of the release") {
   CHECK(text.find("kReleasePriority = " + std::to_string(limits::kReleaseLevel) + ";") != std::string::npos);
 }
 
+TEST_CASE("the generator knows what the release timer and its ring hold") {
+  const std::string ring = test::read(test::source_dir() + "/runtime/chips/cortex_m4/release.cpp");
+  CHECK(ring.find("kSlots = " + std::to_string(limits::kReleaseInstants + 1) + ";") != std::string::npos);
+  const std::string timer = test::read(test::source_dir() + "/runtime/chips/cortex_m4/registers.hpp");
+  REQUIRE(timer.find("kMaxInterval = 1U << 24;") != std::string::npos);
+  CHECK(limits::kTickCycles == 1 << 24);
+}
+
+TEST_CASE("the generator knows how many filters a CAN controller has") {
+  const std::string text = test::read(test::source_dir() + "/runtime/chips/stm32f4/ports/can.cpp");
+  CHECK(text.find("kBanks = " + std::to_string(limits::kCanFilterBanks) + ";") != std::string::npos);
+}
+
 TEST_CASE("the generator knows how often a burst is filled") {
   const std::string text = test::read(test::source_dir() + "/runtime/src/pca9685.cpp");
   CHECK(text.find("attempt < " + std::to_string(limits::kBursts) + ";") != std::string::npos);

@@ -17,7 +17,7 @@ using Kind = Passage::Kind;
 /// What the costs of exceptions pay and no way of a routine does. Cortex-M4 TRM 3.9.1 and 7.2.3: seventeen words that
 /// were left to save, and a cycle until the instruction goes on.
 constexpr double kLazyStacking = 18;
-/// In flash the first line of a routine, and that of what goes on behind one: RM0090 table 11.
+/// In flash the first line of a routine, and that of what goes on behind one: RM0090 table 10.
 constexpr double kLine = 5;
 constexpr double kMostSkipped = 4;  ///< of an IT block: the emulator charges them with the instruction behind it
 constexpr Cycles kNoEdge = -1;      // the way into a block is not one of the graph's

@@ -99,18 +99,18 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 518463, finemote::kNothingToBound, nullptr},  // remote
+    {2, 519672, finemote::kNothingToBound, nullptr},  // remote
     {0, 156463, 16157263, &walker::hip_left.command},  // hip-left
     {0, 142846, 16143646, &walker::knee_left.command},  // knee-left
-    {1, 250710, 12251310, &walker::leg_left.command},  // leg-left
+    {1, 251919, 12252519, &walker::leg_left.command},  // leg-left
     {0, 129228, 16130028, &walker::hip_right.command},  // hip-right
     {0, 115610, 16116410, &walker::knee_right.command},  // knee-right
-    {1, 246295, 12246895, &walker::leg_right.command},  // leg-right
+    {1, 247319, 12247919, &walker::leg_right.command},  // leg-right
     {1, 242910, 12243510, &walker::front.command},  // front
     {0, 101993, 12102593, &walker::tilt.command},  // tilt
-    {2, 508929, 2414782, &walker::body.command},  // body
-    {2, 505538, finemote::kNothingToBound, nullptr},  // walker
-    {2, 441625, 10442125, &gripper::finger.command},  // finger
+    {2, 511299, 2415943, &walker::body.command},  // body
+    {2, 506747, finemote::kNothingToBound, nullptr},  // walker
+    {2, 442834, 10443334, &gripper::finger.command},  // finger
     {1, 213421, finemote::kNothingToBound, nullptr},  // gripper
 };
 

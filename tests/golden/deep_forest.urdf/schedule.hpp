@@ -13,11 +13,11 @@ namespace deep_forest {
 void run_2ms();
 
 /// Every 4 ms: priority 5, interrupt line 49 (SDIO), 4 devices;
-/// a job ends within 212.088 us of its release.
+/// a job ends within 213.297 us of its release.
 void run_4ms();
 
 /// Every 10 ms: priority 6, interrupt line 51 (SPI3), 4 devices;
-/// a job ends within 462.741 us of its release.
+/// a job ends within 463.95 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -26,18 +26,18 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds remote{462741, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{463950, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds hip_left{134942, 16135742, 16135742};
 inline constexpr finemote::Bounds knee_left{124025, 16124825, 16124825};
-inline constexpr finemote::Bounds leg_left{212088, 12212688, 12212688};
+inline constexpr finemote::Bounds leg_left{213297, 12213897, 12213897};
 inline constexpr finemote::Bounds hip_right{113107, 16113907, 16113907};
 inline constexpr finemote::Bounds knee_right{102190, 16102990, 16102990};
-inline constexpr finemote::Bounds leg_right{210373, 12210973, 12210973};
+inline constexpr finemote::Bounds leg_right{211397, 12211997, 12211997};
 inline constexpr finemote::Bounds front{209688, 12210288, 12210288};
 inline constexpr finemote::Bounds tilt{91272, 12091872, 12091872};
-inline constexpr finemote::Bounds body{455906, 2378860, 2378860};
-inline constexpr finemote::Bounds walker{455215, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds finger{394002, 10394502, 10394502};
+inline constexpr finemote::Bounds body{458276, 2380022, 2380022};
+inline constexpr finemote::Bounds walker{456424, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds finger{395211, 10395711, 10395711};
 inline constexpr finemote::Bounds gripper{182900, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 379844, finemote::kNothingToBound, nullptr},  // imu
-    {1, 894361, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 891595, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 888895, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 886195, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 883495, 31164188, &rov::thruster_1.command},  // thruster_1
-    {1, 876190, 31159481, &rov::thruster_2.command},  // thruster_2
-    {1, 871549, 31154840, &rov::thruster_3.command},  // thruster_3
-    {1, 866842, 31142104, &rov::thruster_4.command},  // thruster_4
-    {1, 854100, 31137391, &rov::thruster_5.command},  // thruster_5
-    {1, 849465, 31132756, &rov::thruster_6.command},  // thruster_6
-    {1, 844758, 31125452, &rov::thruster_7.command},  // thruster_7
-    {1, 840117, 31120810, &rov::thruster_8.command},  // thruster_8
-    {1, 835409, finemote::kNothingToBound, nullptr},  // rov
+    {0, 379880, finemote::kNothingToBound, nullptr},  // imu
+    {1, 894640, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 891940, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 889174, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 886474, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 883774, 31164504, &rov::thruster_1.command},  // thruster_1
+    {1, 876481, 31159808, &rov::thruster_2.command},  // thruster_2
+    {1, 871852, 31155179, &rov::thruster_3.command},  // thruster_3
+    {1, 867157, 31142455, &rov::thruster_4.command},  // thruster_4
+    {1, 854427, 31137754, &rov::thruster_5.command},  // thruster_5
+    {1, 849804, 31133131, &rov::thruster_6.command},  // thruster_6
+    {1, 845109, 31125839, &rov::thruster_7.command},  // thruster_7
+    {1, 840480, 31121209, &rov::thruster_8.command},  // thruster_8
+    {1, 835784, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 374.424 us of its release.
+/// a job ends within 374.46 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 942 us of its release.
+/// a job ends within 957.07 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{374424, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{823054, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{823054, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{823054, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{823054, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{823054, 31102481, 34921906};
-inline constexpr finemote::Bounds thruster_2{821113, 31100540, 34937768};
-inline constexpr finemote::Bounds thruster_3{819171, 31098599, 34937768};
-inline constexpr finemote::Bounds thruster_4{817164, 31096658, 34937835};
-inline constexpr finemote::Bounds thruster_5{815217, 31092048, 34935172};
-inline constexpr finemote::Bounds thruster_6{813282, 31090113, 34935172};
-inline constexpr finemote::Bounds thruster_7{808744, 31088171, 34935171};
-inline constexpr finemote::Bounds thruster_8{806737, 31086230, 34935171};
-inline constexpr finemote::Bounds rov{804796, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{374460, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{823333, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{823333, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{823333, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{823333, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{823333, 31102796, 34944997};
+inline constexpr finemote::Bounds thruster_2{821404, 31100867, 34944997};
+inline constexpr finemote::Bounds thruster_3{819474, 31098938, 34944997};
+inline constexpr finemote::Bounds thruster_4{817545, 31097009, 34944997};
+inline constexpr finemote::Bounds thruster_5{815544, 31092411, 34942334};
+inline constexpr finemote::Bounds thruster_6{813621, 31090488, 34942400};
+inline constexpr finemote::Bounds thruster_7{809095, 31088558, 34942399};
+inline constexpr finemote::Bounds thruster_8{807166, 31086629, 34944996};
+inline constexpr finemote::Bounds rov{805171, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 190735, finemote::kNothingToBound, nullptr},  // imu
-    {0, 184683, 29101384, &gimbal::yaw.command},  // yaw
-    {0, 177309, 29094010, &gimbal::pitch.command},  // pitch
-    {1, 238677, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 305015, 27221616, &chassis::front_left.command},  // front_left
-    {2, 297897, 27214498, &chassis::front_right.command},  // front_right
-    {2, 290708, 27207309, &chassis::rear_left.command},  // rear_left
-    {2, 283591, 27200192, &chassis::rear_right.command},  // rear_right
-    {2, 276467, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 393177, finemote::kNothingToBound, nullptr},  // remote
+    {0, 191676, finemote::kNothingToBound, nullptr},  // imu
+    {0, 185636, 29102337, &gimbal::yaw.command},  // yaw
+    {0, 178262, 29094963, &gimbal::pitch.command},  // pitch
+    {1, 240649, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 308986, 27225587, &chassis::front_left.command},  // front_left
+    {2, 301869, 27218470, &chassis::front_right.command},  // front_right
+    {2, 294679, 27211280, &chassis::rear_left.command},  // rear_left
+    {2, 287562, 27204163, &chassis::rear_right.command},  // rear_right
+    {2, 280439, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 397214, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 188.144 us of its release.
+/// a job ends within 189.103 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 202.322 us of its release.
+/// a job ends within 204.293 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 273.712 us of its release.
+/// a job ends within 277.683 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 348.175 us of its release.
+/// a job ends within 352.146 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{177534, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{174182, 28438435, 28796547};
-inline constexpr finemote::Bounds pitch{169509, 28433762, 28796548};
-inline constexpr finemote::Bounds gimbal{202322, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{265347, 26529500, 26932084};
-inline constexpr finemote::Bounds front_right{260930, 26525083, 26932084};
-inline constexpr finemote::Bounds rear_left{256506, 26520659, 26932083};
-inline constexpr finemote::Bounds rear_right{252089, 26516242, 26932083};
-inline constexpr finemote::Bounds chassis{247666, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{348175, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{178475, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{175135, 28439388, 28797459};
+inline constexpr finemote::Bounds pitch{170462, 28434715, 28797460};
+inline constexpr finemote::Bounds gimbal{204293, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{269318, 26533471, 26936008};
+inline constexpr finemote::Bounds front_right{264901, 26529054, 26936008};
+inline constexpr finemote::Bounds rear_left{260478, 26524631, 26936008};
+inline constexpr finemote::Bounds rear_right{256060, 26520213, 26936007};
+inline constexpr finemote::Bounds chassis{251637, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{352146, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

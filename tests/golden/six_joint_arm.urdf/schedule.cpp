@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 363217, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 246470, 29407518, &arm::base.command},  // base
-    {0, 239352, 29400400, &arm::shoulder.command},  // shoulder
-    {0, 214474, 29375522, &arm::elbow.command},  // elbow
-    {0, 207357, 29368405, &arm::wrist_roll.command},  // wrist_roll
-    {0, 200234, 29361282, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 187495, 29348543, &arm::flange.command},  // flange
-    {0, 180372, finemote::kNothingToBound, nullptr},  // arm
+    {1, 378752, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 249470, 29410518, &arm::base.command},  // base
+    {0, 242353, 29403401, &arm::shoulder.command},  // shoulder
+    {0, 217474, 29378522, &arm::elbow.command},  // elbow
+    {0, 210357, 29371405, &arm::wrist_roll.command},  // wrist_roll
+    {0, 203234, 29364282, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 190495, 29351543, &arm::flange.command},  // flange
+    {0, 183372, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 234.209 us of its release.
+/// a job ends within 237.209 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 311.26 us of its release.
+/// a job ends within 344.551 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{311260, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{199913, 28879594, 29196959};
-inline constexpr finemote::Bounds shoulder{189875, 28869555, 29191338};
-inline constexpr finemote::Bounds elbow{185452, 28865132, 29191338};
-inline constexpr finemote::Bounds wrist_roll{181035, 28860715, 29191338};
-inline constexpr finemote::Bounds wrist_pitch{176611, 28856291, 29191337};
-inline constexpr finemote::Bounds flange{172194, 28851874, 29191337};
-inline constexpr finemote::Bounds arm{167771, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{344551, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{202914, 28882594, 29199959};
+inline constexpr finemote::Bounds shoulder{192875, 28872555, 29194338};
+inline constexpr finemote::Bounds elbow{188452, 28868132, 29194338};
+inline constexpr finemote::Bounds wrist_roll{184035, 28863715, 29194338};
+inline constexpr finemote::Bounds wrist_pitch{179611, 28859292, 29194338};
+inline constexpr finemote::Bounds flange{175194, 28854874, 29194337};
+inline constexpr finemote::Bounds arm{170771, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm

@@ -38,7 +38,7 @@ inline constexpr finemote::Port<finemote::Any> controller_children[] = {
 }  // namespace ports
 
 /// controller: sim_load, every 10 ms
-/// response <= 108.318 us
+/// response <= 108.711 us
 FINEMOTE_CONSTINIT inline finemote::SimLoad controller{
     [] {
       finemote::SimLoad::Config c{};
