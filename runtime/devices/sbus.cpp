@@ -24,6 +24,17 @@ RemoteSwitch switch_of(std::uint16_t channel) {
   return channel > kCentre + 400 ? RemoteSwitch::kDown : RemoteSwitch::kMiddle;
 }
 
+/// Whether a whole frame is none that only looks like one, as far as the last silence tells: there is none in a frame,
+/// and one that ends with it comes before one that overlaps it. Telemetry may stand between, of which the tail tells.
+/// @param silence  bytes from its begin to there; 0: it is not behind the begin
+bool is_apart(const std::uint8_t* frame, std::size_t silence) {
+  constexpr std::size_t kFrame = Sbus::kFrame;
+  if (silence == 0 || silence == kFrame || silence >= 2 * kFrame) return true;
+  if (silence < kFrame) return false;
+  const std::uint8_t* const last = frame + silence - kFrame;
+  return frame[kFrame - 1] != kTail || last[0] != kHead || !is_tail(last[kFrame - 1]);
+}
+
 }  // namespace
 
 void Sbus::update() {
@@ -51,7 +62,7 @@ void Sbus::look(std::size_t size) {
   const std::uint8_t* const begin = recent_.begin();
   const std::size_t count = recent_.kept() + size;
   const bool is_silent = uart_->idle();
-  const std::size_t offset = uart_->since_silence() % kFrame;
+  const std::size_t since = uart_->since_silence(), silence = since <= count ? count - since : 0;
   const std::uint8_t *last = nullptr, *good = nullptr;
   std::size_t at = 0, judged = 0;
   while (at + kFrame <= count) {
@@ -60,7 +71,7 @@ void Sbus::look(std::size_t size) {
       ++at;
     } else if (is_tail(frame[kFrame - 1]) && at + kFrame == count && !is_silent) {
       break;
-    } else if (!is_tail(frame[kFrame - 1]) || (count - at) % kFrame != offset) {
+    } else if (!is_tail(frame[kFrame - 1]) || !is_apart(frame, silence > at ? silence - at : 0)) {
       if (at >= judged) {  // one of many that overlap is counted
         ++bad_frames_;
         judged = at + kFrame;

@@ -2,6 +2,8 @@
 #include "finemote/devices/dr16.hpp"
 #include "finemote/devices/sbus.hpp"
 
+#include <algorithm>
+
 #include "catch.hpp"
 #include "finemote/bench/bench.hpp"
 
@@ -209,16 +211,21 @@ TEST_CASE_METHOD(SbusFixture, "SBUS: bytes behind a frame are none") {
 }
 
 TEST_CASE_METHOD(SbusFixture, "SBUS: data that look like a frame are none, whatever was cut before") {
-  const Bytes whole = sbus_frame({992, 992, 992, 992, 992, 992, 992, 1792, 1792, 993});
-  const auto inner = std::find(whole.begin() + 1, whole.end(), std::uint8_t{0x0F}) - whole.begin();
-  REQUIRE(inner < 25);
-  receive(whole);
-  REQUIRE(device.state.valid);
-  receive(Bytes(whole.begin() + inner, whole.end()));  // its begin was lost
-  for (int i = 0; i < 5; ++i) receive(whole);
-  CHECK(device.state.valid);
-  for (unsigned n = 0; n < 10; ++n)
-    CHECK(device.channel(n + 1) == std::vector<unsigned>{992, 992, 992, 992, 992, 992, 992, 1792, 1792, 993}[n]);
+  const std::vector<unsigned> channels{992, 992, 992, 992, 992, 992, 992, 1792, 1792, 993};
+  const Bytes whole = sbus_frame(channels);
+  const auto inner = std::find(whole.begin() + 1, whole.end(), std::uint8_t{0x0F});
+  REQUIRE(inner != whole.end());
+  const Duration period = GENERATE(1 * kMillisecond, 5 * kMillisecond, 20 * kMillisecond, 50 * kMillisecond);
+  CAPTURE(period);
+  host::usart3.feed(now(), Bytes(inner, whole.end()));  // its begin was lost
+  for (int i = 1; i <= 40; ++i) host::usart3.feed(now() + i * 7 * kMillisecond, whole);
+  for (Duration passed = 0; passed < 300 * kMillisecond; passed += period) {
+    host::advance(period);
+    device.update();
+    if (passed < 60 * kMillisecond) continue;
+    REQUIRE(device.state.valid);
+    for (unsigned n = 0; n < channels.size(); ++n) REQUIRE(device.channel(n + 1) == channels[n]);
+  }
 }
 
 TEST_CASE_METHOD(SbusFixture, "SBUS: many beginnings in a row cost a frame or two and no more") {
