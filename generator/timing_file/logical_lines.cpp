@@ -4,6 +4,9 @@
 #include <cctype>
 
 namespace finemote::gen {
+
+bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
 namespace {
 
 std::string spliced(std::string_view text) {
@@ -30,8 +33,6 @@ std::size_t end_of_literal(std::string_view text, std::size_t begin) {
   }
   return text.size();
 }
-
-bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 bool begins_number(std::string_view text, std::size_t at) {
   return std::isdigit(static_cast<unsigned char>(text[at])) != 0 && (at == 0 || !is_of_word(text[at - 1]));

@@ -6,6 +6,9 @@
 
 namespace finemote::gen {
 
+/// A letter of ASCII, a digit or an underscore.
+bool is_of_word(char c);
+
 /// As a checkout with other ends of lines has it: LF for CR LF.
 std::string without_returns(std::string_view text);
 

@@ -1,7 +1,6 @@
 #include "generator/timing_file/user_code.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -51,8 +50,6 @@ bool may_say(const Robot& robot, const files::Access& access, const SaysSo& says
     return says_so(file.text) || says_so(lines) || has_pasted_words(lines);
   });
 }
-
-bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 /// `new (place)`, or what the library has for it.
 bool makes_in_place(std::string_view text) {
