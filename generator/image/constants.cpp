@@ -77,7 +77,7 @@ class Search {
     switch (dwarf_tag(&type)) {
       case DW_TAG_const_type:
       case DW_TAG_reference_type:
-        if (is_member_ && !has_mutable(type, 0)) keep_parts(type, at, 0);
+        if (is_member_ && !liberties_.makes_anew && !has_mutable(type, 0)) keep_parts(type, at, 0);
         return;
       case DW_TAG_typedef:
         if (const auto inner = type_of(&type)) look(*inner, at, depth + 1);
@@ -88,7 +88,6 @@ class Search {
       case DW_TAG_structure_type:
       case DW_TAG_class_type:
         if (name_of(&type).rfind("AtStart<", 0) == 0) return keep(found.at_start, at, size_of(&type));
-        if (liberties_.makes_anew && is_users(&type)) return;
         return each_member(type, at, [&](const Dwarf_Die& member, std::uint32_t place) {
           is_member_ = true;
           look(member, place, depth + 1);

@@ -25,7 +25,7 @@ struct KeptMembers {
 /// What a user's code may do to constants, of which debug information does not tell.
 struct Liberties {
   bool has_mutable = false;  ///< classes of it may have `mutable` members
-  bool makes_anew = false;   ///< objects of its classes may be made anew in their place, before main, say
+  bool makes_anew = false;   ///< any object may be made anew in its place, before main, say
 };
 
 /// Of all variables with static storage of the image at `path`. Reports FM6101 when the debug information cannot be

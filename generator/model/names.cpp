@@ -66,9 +66,7 @@ std::optional<std::string> reserved_name(std::string_view cpp, NameScope scope) 
   if (scope == NameScope::tree_file && contains(std::array{"buses", "constants"}, fold_case(cpp)))
     return "names a generated file that its tree's file includes";
   if (scope == NameScope::file || scope == NameScope::tree_file)
-    return is_windows_device(cpp)
-               ? std::optional<std::string>("is a reserved file name on Windows")
-               : std::nullopt;
+    return is_windows_device(cpp) ? std::optional<std::string>("is a reserved file name on Windows") : std::nullopt;
   if (contains(kOutermost, cpp)) return "is a namespace generated code uses";
   if (cpp.substr(0, 9) == "finemote_") return "begins as names of the runtime do";
   if (scope == NameScope::robot && cpp.front() == '_')

@@ -219,7 +219,8 @@ void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, FrameStag
   allow_bytes(bus, use, budget);
   if (use.answers == 0) return;
   FrameBudget answers{place, use.answers, every, {}};
-  answers.carry_in = 1 + kUnderWay;
+  const auto& measured = model_.devices[place].acquisition;
+  answers.carry_in = 1 + kUnderWay + (measured ? ceil_div(measured->conversion, model_.devices[place].period) : 0);
   allow(bus, DriverSource::Counts::received, answers);
 }
 

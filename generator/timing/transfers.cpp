@@ -81,7 +81,7 @@ void TransferBounds::collect() {
       if (t.after == Transfer::After::handle) item.jitter = r.r_minus[d];
       if (t.after == Transfer::After::bucket) item.jitter = r.bucket[w];
       if (item.autonomous) {
-        if (t.receive) item.rank = 0;  // else its part may answer before it sends this
+        item.rank = 0;
         item.bounded = true;
         if (t.min_interval > Duration::zero()) item.period = t.min_interval;
       }

@@ -72,7 +72,7 @@ class TransferBounds {
     [[nodiscard]] Duration frame() const { return ceil_div(on_wire(), frames); }
     /// Whether `other` goes first where both wait.
     [[nodiscard]] bool yields_to(const Item& other) const {
-      if (!arbitrated) return other.rank <= rank;
+      if (!arbitrated) return other.rank <= rank || (autonomous && !receive);  // its part may answer before it sends it
       return !identifiers || !other.identifiers || other.identifiers->first <= identifiers->second;
     }
     /// How long it keeps others off the wire. Neither a part that sends by itself nor a frame in a mailbox of the

@@ -203,7 +203,9 @@ std::optional<Duration> WireAnalysis::asked(Rank from) const {
     if (!bound) return std::nullopt;
     const auto begin = asked_at(from, transfer);
     if (!begin) return std::nullopt;
-    busy = std::max(busy, *begin + *bound);
+    // Behind a measurement the answer may wait for as much as the question has.
+    const bool waits_twice = model_.buses[transfer.bus].arbitrated && a.conversion > Duration::zero();
+    busy = std::max(busy, *begin + (waits_twice ? 2 : 1) * *bound);
   }
   const Duration response = profile_.responses.r_plus[from];
   busy = std::max(busy, response) + a.conversion;

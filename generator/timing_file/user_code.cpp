@@ -41,26 +41,25 @@ std::vector<SourceText> user_texts(const Robot& robot, const files::Access& acce
   return all;
 }
 
-/// Whether `says_so` holds of one of them, or nobody knows because words are made of two.
+/// Whether `says_so` holds of one of them, as its preprocessor sees it, or nobody knows because words are made of two.
 template <typename SaysSo>
 bool may_say(const Robot& robot, const files::Access& access, const SaysSo& says_so) {
   const std::vector<SourceText> all = user_texts(robot, access);
   return std::any_of(all.begin(), all.end(), [&](const SourceText& file) {
     const std::string lines = logical_lines(file.text);
-    return says_so(file.text) || says_so(lines) || has_pasted_words(lines);
+    return says_so(lines) || has_pasted_words(lines);
   });
 }
 
-/// `new (place)`, or what the library has for it.
-bool makes_in_place(std::string_view text) {
-  for (const std::string_view word : {"construct_at", "uninitialized_"}) {
-    if (text.find(word) != std::string_view::npos) return true;
+/// `new` in any spelling, or what the library has for it. There is no heap, so it is in a given place.
+bool makes_in_place(std::string_view lines) {
+  for (const std::string_view word : {"construct", "uninitialized_"}) {
+    if (lines.find(word) != std::string_view::npos) return true;
   }
   constexpr std::string_view kNew = "new";
-  for (std::size_t at = text.find(kNew); at != std::string_view::npos; at = text.find(kNew, at + 1)) {
-    const std::size_t next = text.find_first_not_of(" \t\r\n", at + kNew.size());
-    const bool is_whole = at == 0 || !is_of_word(text[at - 1]);
-    if (is_whole && next != std::string_view::npos && text[next] == '(') return true;
+  for (std::size_t at = lines.find(kNew); at != std::string_view::npos; at = lines.find(kNew, at + 1)) {
+    const std::size_t end = at + kNew.size();
+    if ((at == 0 || !is_of_word(lines[at - 1])) && (end == lines.size() || !is_of_word(lines[end]))) return true;
   }
   return false;
 }

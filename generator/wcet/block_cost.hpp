@@ -27,14 +27,7 @@ class CodeCost {
   /// A branch that may be taken and is not: its target may have been fetched.
   [[nodiscard]] Cycles not_taken(const Instruction& branch, std::uint32_t target) const;
 
-  /// Whether code there lies where all code is taken to be.
-  [[nodiscard]] bool is_at_home(std::uint32_t address) const {
-    return placement_ != Placement::sram || address < kFirstInFlash;
-  }
-
  private:
-  static constexpr std::uint32_t kFirstInFlash = 0x0800'0000;
-
   [[nodiscard]] Cycles fetch(const Instruction& instruction) const;
   /// Of an access that need not be aligned: its parts wait each for itself.
   [[nodiscard]] Cycles unaligned_wait(const Access& access) const;

@@ -25,7 +25,7 @@ constexpr std::size_t kMostNodes = 1'000'000;
 /// Those of tries that leave no trace included.
 constexpr std::size_t kMostVisits = 2'000'000;
 constexpr std::size_t kDeepestCalls = 64;
-constexpr const char* kIntoFlash = "a call out of code in SRAM into flash";
+constexpr const char* kOtherPlace = "a call between code in SRAM and code in flash";
 constexpr const char* kTooDeep = "more than 64 calls in each other";
 /// A tenth of a second: longer ones are none of a routine that has a period.
 constexpr Cycles kLongestWait = 16'800'000;
@@ -122,6 +122,8 @@ bool is_back(const Way& way, const Frame& frame) {
   return way.back.is_made ? way.back.to == frame.back : meet(way.back.to, frame.back).has_value();
 }
 
+bool is_in_flash(std::uint32_t address) { return address >> 24 == 0x08; }
+
 Machine at_entry(std::uint32_t stack_top) {
   Machine machine;
   for (int reg = ARM_REG_R0; reg <= ARM_REG_R12; ++reg) machine.set(reg, Value::in(Interval::any()));
@@ -210,7 +212,7 @@ class Walker {
                                const ProgramFunction* caller) {
     const ProgramFunction* function = context_.program.at(address);
     if (function == nullptr) return fail(from, caller, "a call of what is no function"), std::nullopt;
-    if (!context_.cost.is_at_home(address)) return fail(from, caller, kIntoFlash), std::nullopt;
+    if (is_in_flash(address) != is_in_flash(from)) return fail(from, caller, kOtherPlace), std::nullopt;
     if (chain_.has(function)) return fail(from, caller, "recursion: it has no bound"), std::nullopt;
     if (chain_.depth() == kDeepestCalls) return fail(from, caller, kTooDeep), std::nullopt;
     chain_.enter(function, from);

@@ -85,7 +85,10 @@ void FinsRov::take_inputs(Time at) {
     origin = oldest(origin, sensor.origin);
     ++fresh;
   }
-  if (fresh >= config_.depth_quorum && fresh > 0) {
+  const bool has_depth = fresh >= config_.depth_quorum && fresh > 0;
+  if (has_depth && !depth_follows_) depth_loop_.reset();  // it has summed errors that nobody turned against
+  depth_follows_ = has_depth;
+  if (has_depth) {
     take_depth(sum / (static_cast<float>(fresh) * config_.density * kGravity), origin);
   }
   take_attitude();
@@ -113,10 +116,7 @@ void FinsRov::take_depth(float depth, Time origin) {
   const float dt = seconds(origin - depth_at_);
   const bool follows = depth_known_ && dt <= StepTime::kLongest;
   if (follows && dt >= kShortestStep) depth_rate_ += kRateFilter * ((depth - depth_now_) / dt - depth_rate_);
-  if (!follows) {
-    depth_rate_ = 0;
-    depth_loop_.reset();
-  }
+  if (!follows) depth_rate_ = 0;
   depth_known_ = true;
   depth_now_ = depth;
   depth_at_ = origin;

@@ -12,6 +12,7 @@ namespace {
 constexpr std::uint8_t kHead = 0x0F, kTail = 0x00;
 /// S.BUS2: the group of telemetry slots that follows stands in bits 4 and 5.
 constexpr std::uint8_t kSlotTail = 0x04, kSlotGroup = 0x30;
+constexpr std::size_t kSlot = 3;  ///< bytes
 constexpr int kCentre = 992;
 constexpr float kScale = 1.0F / 820;  ///< 172..1811 is -1..1
 
@@ -22,17 +23,6 @@ float scaled(std::uint16_t channel) { return clamp(static_cast<float>(channel - 
 RemoteSwitch switch_of(std::uint16_t channel) {
   if (channel < kCentre - 400) return RemoteSwitch::kUp;
   return channel > kCentre + 400 ? RemoteSwitch::kDown : RemoteSwitch::kMiddle;
-}
-
-/// Whether a whole frame is none that only looks like one, as far as the last silence tells: there is none in a frame,
-/// and one that ends with it comes before one that overlaps it. Telemetry may stand between, of which the tail tells.
-/// @param silence  bytes from its begin to there; 0: it is not behind the begin
-bool is_apart(const std::uint8_t* frame, std::size_t silence) {
-  constexpr std::size_t kFrame = Sbus::kFrame;
-  if (silence == 0 || silence == kFrame || silence >= 2 * kFrame) return true;
-  if (silence < kFrame) return false;
-  const std::uint8_t* const last = frame + silence - kFrame;
-  return frame[kFrame - 1] != kTail || last[0] != kHead || !is_tail(last[kFrame - 1]);
 }
 
 }  // namespace
@@ -80,6 +70,7 @@ void Sbus::look(std::size_t size) {
     } else {
       ++frames_;
       last = frame;
+      if (at + kFrame == silence) has_slots_ = frame[kFrame - 1] != kTail;
       if ((frame[kFlagsAt] & (kFrameLost | kFailsafe)) == 0) good = frame;
       at += kFrame;
     }
@@ -87,6 +78,17 @@ void Sbus::look(std::size_t size) {
   if (good != nullptr) decode(good, static_cast<std::size_t>(begin + count - good) - kFrame);
   if (last != nullptr) std::memcpy(last_, last, sizeof last_);
   recent_.keep(begin + at, size);
+}
+
+/// False where these bytes only look like a frame: the line fell silent within them, or they overlap a frame that ends
+/// at the last silence, but for the slots of three bytes that a receiver with telemetry puts between.
+/// @param silence  bytes from their begin to there; 0: it is not behind the begin
+bool Sbus::is_apart(const std::uint8_t* frame, std::size_t silence) const {
+  if (silence == 0 || silence == kFrame || silence >= 2 * kFrame) return true;
+  if (silence < kFrame) return false;
+  const std::size_t overlap = silence - kFrame;
+  const std::uint8_t* const last = frame + overlap;
+  return last[0] != kHead || !is_tail(last[kFrame - 1]) || (has_slots_ && overlap % kSlot == 0);
 }
 
 std::uint16_t Sbus::channel(unsigned number) const { return eleven_bits_at(last_, 8 + 11 * (number - 1)); }

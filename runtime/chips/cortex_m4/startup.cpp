@@ -23,8 +23,7 @@ void zero(std::uint32_t* begin, const std::uint32_t* end) {
   while (begin < end) *begin++ = 0;
 }
 
-/// What a boot loader has left enabled, pending or masked: as after a reset, nothing interrupts but what is enabled
-/// from here on.
+/// What a boot loader has left enabled, pending or masked: behind this nothing interrupts but what is enabled later.
 inline void forget_interrupts() {
   using namespace finemote::cortex_m4;
   systick::Control::write(0);
@@ -37,6 +36,7 @@ inline void forget_interrupts() {
 
 extern "C" [[noreturn]] void finemote_reset() {
   using namespace finemote::cortex_m4;
+  asm volatile("cpsid i" : : : "memory");  // what a boot loader has enabled has no routine here
   // A boot loader may have left its own: PM0214 4.4.4.
   scb::VectorTable::write(reinterpret_cast<std::uintptr_t>(finemote_vectors));
   forget_interrupts();

@@ -39,16 +39,17 @@ constexpr std::uint32_t kCrystalPolls = 400'000, kPllPolls = 40'000, kSwitchPoll
   stop_safely(Module::board, static_cast<std::uint8_t>(fault), text);
 }
 
-/// A boot loader may have left the core on a PLL, which is set up while it is off: RM0090 7.3.2.
+/// A boot loader may have left the core on a PLL, and both are off while one is set up: RM0090 7.3.2.
 void leave_pll() {
-  if (!rcc::cr.any(rcc::kCrPllOn)) return;
+  if (!rcc::cr.any(rcc::kCrPllOn | rcc::kCrAudioPllOn)) return;
   rcc::cr.set(rcc::kCrHsiOn);
   const bool is_ready = wait_for(rcc::cr, rcc::kCrHsiReady, rcc::kCrHsiReady, kSwitchPolls);
   rcc::cfgr.modify(rcc::kCfgrSwitchMask, rcc::kCfgrSwitchHsi);
   if (!is_ready || !wait_for(rcc::cfgr, rcc::kCfgrStatusMask, rcc::kCfgrStatusHsi, kSwitchPolls))
     fail(BoardFault::clock_switch, "the core stays on the clock of a boot loader");
-  rcc::cr.clear(rcc::kCrPllOn);
-  if (!wait_for(rcc::cr, rcc::kCrPllReady, 0, kPllPolls)) fail(BoardFault::pll, "the PLL does not stop");
+  rcc::cr.clear(rcc::kCrPllOn | rcc::kCrAudioPllOn);
+  if (!wait_for(rcc::cr, rcc::kCrPllReady | rcc::kCrAudioPllReady, 0, kPllPolls))
+    fail(BoardFault::pll, "the PLL does not stop");
 }
 
 void start_crystal() {

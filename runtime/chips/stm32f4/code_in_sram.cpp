@@ -92,6 +92,9 @@ extern "C" FINEMOTE_BOOT __attribute__((naked)) void finemote_boot() {
       "cpsid i\n\t"
       "ldr r0, =_stack_top\n\t"
       "msr msp, r0\n\t"
+      "movs r0, #0\n\t"
+      "msr control, r0\n\t"
+      "isb\n\t"
       "b finemote_boot_copy");
 }
 

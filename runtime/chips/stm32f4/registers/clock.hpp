@@ -19,7 +19,8 @@ inline constexpr Register apb2enr{0x40023844};   // 7.3.14
 inline constexpr Register csr{0x40023874};       // 7.3.21
 
 inline constexpr std::uint32_t kCrHsiOn = bit(0), kCrHsiReady = bit(1);
-inline constexpr std::uint32_t kCrHseOn = bit(16), kCrHseReady = bit(17), kCrPllOn = bit(24), kCrPllReady = bit(25);
+inline constexpr std::uint32_t kCrHseOn = bit(16), kCrHseReady = bit(17), kCrPllOn = bit(24), kCrPllReady = bit(25),
+                               kCrAudioPllOn = bit(26), kCrAudioPllReady = bit(27);
 inline constexpr std::uint32_t kPllSourceHse = bit(22);
 inline constexpr std::uint32_t kCfgrSwitchMask = 3, kCfgrSwitchHsi = 0, kCfgrSwitchPll = 2, kCfgrStatusMask = 3U << 2,
                                kCfgrStatusHsi = 0, kCfgrStatusPll = 2U << 2;

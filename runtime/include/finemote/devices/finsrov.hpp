@@ -98,9 +98,9 @@ class FinsRov {
   FinsRovHost orders_;
   Mode mode_ = Mode::kOff;
   bool heading_on_ = false, reporting_ = false;
-  bool attitude_follows_ = false;  ///< the last update() had one
-  bool depth_known_ = false;       ///< at least once
-  ImuState attitude_;              ///< the last valid one
+  bool attitude_follows_ = false, depth_follows_ = false;  ///< the last update() had one
+  bool depth_known_ = false;                               ///< at least once
+  ImuState attitude_;                                      ///< the last valid one
   float surface_[kSensors];
   float depth_now_ = 0, depth_rate_ = 0, target_depth_ = 0, target_yaw_ = 0;
   float surge_ = 0, sway_ = 0, turn_ = 0;

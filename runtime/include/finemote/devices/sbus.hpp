@@ -13,10 +13,10 @@ namespace finemote {
 
 /// 25 bytes every 7 or 14 ms, 100 kbit/s 8E2 inverted: 0x0F, sixteen channels of 11 bits, flags, and 0x00 or, of
 /// receivers with slots for telemetry (S.BUS2), 0x04, 0x14, 0x24, 0x34 in turn. A frame counts if both ends are right
-/// and the receiver reports neither a lost frame nor failsafe; none does that was read together with a damaged byte.
-/// Channels 1..4 are the right stick (x, y) and the left stick (y, x) as most transmitters order them (AETR), 5 and 6
-/// the left and right switch, 7 the wheel. The state is valid until kMaxAge after the last frame; its origin is when
-/// the frame began to arrive.
+/// the line did not fall silent within it, and the receiver reports neither a lost frame nor failsafe; none does that
+/// was read together with a damaged byte. Channels 1..4 are the right stick (x, y) and the left stick (y, x) as most
+/// transmitters order them (AETR), 5 and 6 the left and right switch, 7 the wheel. The state is valid until kMaxAge
+/// after the last frame; its origin is when the frame began to arrive.
 class Sbus {
  public:
   static constexpr Duration kMaxAge = 100 * kMillisecond;
@@ -29,7 +29,7 @@ class Sbus {
 
   RemoteState state;
 
-  /// Frames with a wrong end: of those that overlap one. Wraps.
+  /// Frames with a wrong end, or with a silence within, or that overlap another one: of those that overlap one. Wraps.
   [[nodiscard]] std::uint32_t bad_frames() const { return bad_frames_; }
   /// Frames with both ends right, whatever their flags say; wraps.
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
@@ -51,6 +51,7 @@ class Sbus {
   [[nodiscard]] bool is_damaged();
   /// Looks for frames in what is kept and `size` bytes more.
   void look(std::size_t size);
+  [[nodiscard]] bool is_apart(const std::uint8_t* frame, std::size_t silence) const;
   /// @param behind  bytes that arrived together behind the frame
   void decode(const std::uint8_t* frame, std::size_t behind);
   /// How often bytes were lost.
@@ -60,6 +61,7 @@ class Sbus {
   RecentBytes<kFrame> recent_;
   std::uint8_t last_[kFlagsAt + 1]{};  ///< begin of the last whole frame
   std::uint32_t frames_ = 0, bad_frames_ = 0;
+  bool has_slots_ = false;         ///< the last frame that ended at a silence has slots for telemetry
   std::uint32_t line_errors_ = 0;  ///< that the line had when it was read last
 };
 
