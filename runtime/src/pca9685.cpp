@@ -185,7 +185,7 @@ void Pca9685::put(std::uint8_t* at, std::uint32_t pulse) const {
 
 /// The present one. What has no safe one, and lies between channels that have, keeps it where the safe ones are sent.
 [[gnu::always_inline]] inline void Pca9685::put_pulse(unsigned channel, std::uint8_t* at) {
-  put(at, channel_[channel].pulse());
+  put(at, channel_[channel].pulse.load());
   if ((kept_ >> channel & 1U) == 0) return;
   std::uint8_t* const kept = safe_image_ + 1 + 4 * (channel - safe_first_);
   kept[2] = at[2];  // the others are 0 in both
@@ -198,7 +198,7 @@ void Pca9685::build_safe() {
   safe_image_[0] = static_cast<std::uint8_t>(kLed0 + 4 * first);
   for (unsigned n = first; n <= last; ++n) {
     const bool safe = ((known >> n) & 1U) != 0;
-    put(safe_image_ + 1 + 4 * (n - first), safe ? channel_[n].safe.load() : channel_[n].pulse());
+    put(safe_image_ + 1 + 4 * (n - first), (safe ? channel_[n].safe : channel_[n].pulse).load());
   }
   safe_size_ = static_cast<std::uint8_t>(1 + 4 * (last - first + 1));
   safe_first_ = static_cast<std::uint8_t>(first);

@@ -15,9 +15,15 @@ enum PwmFault : std::uint8_t { kNotTunable = 16 };
 
 void PwmOutput::set(std::uint8_t channel, std::uint32_t pulse) {
   if (channel >= count_) return;
-  if (channels_[channel].wanted.exchange(pulse + 1) == pulse + 1) return;
+  const std::uint32_t bit = std::uint32_t{1} << channel;
+  const bool differs = channels_[channel].pulse.exchange(pulse) != pulse;
+  if ((asked_.load() & bit) == 0) {
+    asked_.set_bits(bit);
+  } else if (!differs) {
+    return;
+  }
   mark_hand_over();
-  changed_.set_bits(std::uint32_t{1} << channel);
+  changed_.set_bits(bit);
 }
 
 void PwmOutput::set_safe(std::uint8_t channel, std::uint32_t pulse) {
@@ -42,7 +48,7 @@ void PwmBus::flush() {
   if (tuned && !port_->tune(period_.load())) count_fault(Module::pwm, kNotTunable);
   // A stop may have cut off what had taken the change out and not written it.
   const bool is_certain = changed_.exchange(0) != 0 || tuned || detail::has_stopped();
-  if (is_certain) port_->write(channel_.pulse());
+  if (is_certain) port_->write(channel_.pulse.load());
 }
 
 }  // namespace finemote

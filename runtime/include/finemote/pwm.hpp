@@ -41,14 +41,8 @@ class PwmOutput {
 
  protected:
   struct Channel {
-    Shared<std::uint32_t> wanted{0};  ///< the pulse, and 1; 0: nobody has asked for one, and the part may show anything
+    Shared<std::uint32_t> pulse{0};
     Shared<std::uint32_t> safe{0};
-
-    /// 0 also where nobody has asked.
-    [[nodiscard]] std::uint32_t pulse() const {
-      const std::uint32_t asked = wanted.load();
-      return asked - (asked != 0 ? 1 : 0);
-    }
   };
 
   constexpr PwmOutput(Channel* channels, std::uint8_t count, std::uint32_t period, bool tunable)
@@ -60,6 +54,7 @@ class PwmOutput {
   Shared<std::uint32_t> period_;  ///< ns
   Shared<bool> tuned_{false};     ///< period_ differs from what was sent
   Shared<bool> unreachable_{false};
+  Shared<std::uint32_t> asked_{0};       ///< bit n: channel n was set; before, the part may show anything
   Shared<std::uint32_t> changed_{0};     ///< bit n: channel n differs from what was sent
   Shared<std::uint32_t> safe_known_{0};  ///< bit n: channel n has a safe pulse
   Shared<bool> safe_changed_{false};
