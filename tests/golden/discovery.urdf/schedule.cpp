@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 259789, finemote::kNothingToBound, nullptr},  // imu
-    {1, 556062, finemote::kNothingToBound, nullptr},  // depth
-    {1, 553230, finemote::kNothingToBound, nullptr},  // button
-    {1, 550464, 24407599, &station::servo.command},  // servo
-    {1, 545740, 24402743, &station::green_led.command},  // green_led
-    {1, 539645, 24396714, &station::blue_led.command},  // blue_led
-    {1, 533677, finemote::kNothingToBound, nullptr},  // station
+    {0, 259825, finemote::kNothingToBound, nullptr},  // imu
+    {1, 556491, finemote::kNothingToBound, nullptr},  // depth
+    {1, 553791, finemote::kNothingToBound, nullptr},  // button
+    {1, 550893, 24408028, &station::servo.command},  // servo
+    {1, 546038, 24403173, &station::green_led.command},  // green_led
+    {1, 539812, 24396881, &station::blue_led.command},  // blue_led
+    {1, 533713, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

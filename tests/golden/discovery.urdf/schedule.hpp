@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 254.323 us of its release.
+/// a job ends within 254.359 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 532.735 us of its release.
+/// a job ends within 533.11 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{254323, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{525233, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{525233, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{525233, 24039647, 24135301};
-inline constexpr finemote::Bounds green_led{523209, 24037623, 24135301};
-inline constexpr finemote::Bounds blue_led{519814, 24034229, 24135170};
-inline constexpr finemote::Bounds station{516546, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{254359, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{525662, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{525662, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{525662, 24040076, 24135712};
+inline constexpr finemote::Bounds green_led{523507, 24037921, 24135712};
+inline constexpr finemote::Bounds blue_led{519981, 24034396, 24135581};
+inline constexpr finemote::Bounds station{516582, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

@@ -74,19 +74,19 @@ namespace {
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
     {0, 379880, finemote::kNothingToBound, nullptr},  // imu
-    {1, 894640, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 891940, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 889174, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 886474, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 883774, 31164504, &rov::thruster_1.command},  // thruster_1
-    {1, 876481, 31159808, &rov::thruster_2.command},  // thruster_2
-    {1, 871852, 31155179, &rov::thruster_3.command},  // thruster_3
-    {1, 867157, 31142455, &rov::thruster_4.command},  // thruster_4
-    {1, 854427, 31137754, &rov::thruster_5.command},  // thruster_5
-    {1, 849804, 31133131, &rov::thruster_6.command},  // thruster_6
-    {1, 845109, 31125839, &rov::thruster_7.command},  // thruster_7
-    {1, 840480, 31121209, &rov::thruster_8.command},  // thruster_8
-    {1, 835784, finemote::kNothingToBound, nullptr},  // rov
+    {1, 895819, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 893119, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 890353, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 887653, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 884953, 31165683, &rov::thruster_1.command},  // thruster_1
+    {1, 877529, 31160922, &rov::thruster_2.command},  // thruster_2
+    {1, 872769, 31156096, &rov::thruster_3.command},  // thruster_3
+    {1, 867943, 31143241, &rov::thruster_4.command},  // thruster_4
+    {1, 857679, 31138409, &rov::thruster_5.command},  // thruster_5
+    {1, 850328, 31133655, &rov::thruster_6.command},  // thruster_6
+    {1, 845502, 31126232, &rov::thruster_7.command},  // thruster_7
+    {1, 840742, 31121471, &rov::thruster_8.command},  // thruster_8
+    {1, 835915, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

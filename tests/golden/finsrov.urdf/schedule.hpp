@@ -13,7 +13,7 @@ namespace FinsROV {
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 957.07 us of its release.
+/// a job ends within 943.458 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -23,19 +23,19 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds imu{374460, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{823333, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{823333, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{823333, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{823333, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{823333, 31102796, 34944997};
-inline constexpr finemote::Bounds thruster_2{821404, 31100867, 34944997};
-inline constexpr finemote::Bounds thruster_3{819474, 31098938, 34944997};
-inline constexpr finemote::Bounds thruster_4{817545, 31097009, 34944997};
-inline constexpr finemote::Bounds thruster_5{815544, 31092411, 34942334};
-inline constexpr finemote::Bounds thruster_6{813621, 31090488, 34942400};
-inline constexpr finemote::Bounds thruster_7{809095, 31088558, 34942399};
-inline constexpr finemote::Bounds thruster_8{807166, 31086629, 34944996};
-inline constexpr finemote::Bounds rov{805171, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{824512, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{824512, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{824512, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{824512, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{824512, 31104041, 34923682};
+inline constexpr finemote::Bounds thruster_2{822452, 31101915, 34939478};
+inline constexpr finemote::Bounds thruster_3{820392, 31099855, 34939478};
+inline constexpr finemote::Bounds thruster_4{818331, 31097795, 34939545};
+inline constexpr finemote::Bounds thruster_5{816199, 31095729, 34939545};
+inline constexpr finemote::Bounds thruster_6{814145, 31091012, 34936882};
+inline constexpr finemote::Bounds thruster_7{809488, 31088951, 34936881};
+inline constexpr finemote::Bounds thruster_8{807428, 31086891, 34936881};
+inline constexpr finemote::Bounds rov{805302, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 191676, finemote::kNothingToBound, nullptr},  // imu
-    {0, 185636, 29102337, &gimbal::yaw.command},  // yaw
-    {0, 178262, 29094963, &gimbal::pitch.command},  // pitch
-    {1, 240649, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 308986, 27225587, &chassis::front_left.command},  // front_left
-    {2, 301869, 27218470, &chassis::front_right.command},  // front_right
-    {2, 294679, 27211280, &chassis::rear_left.command},  // rear_left
-    {2, 287562, 27204163, &chassis::rear_right.command},  // rear_right
-    {2, 280439, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 397214, finemote::kNothingToBound, nullptr},  // remote
+    {0, 191925, finemote::kNothingToBound, nullptr},  // imu
+    {0, 185683, 29102384, &gimbal::yaw.command},  // yaw
+    {0, 178309, 29095010, &gimbal::pitch.command},  // pitch
+    {1, 240880, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 309217, 27225818, &chassis::front_left.command},  // front_left
+    {2, 302100, 27218701, &chassis::front_right.command},  // front_right
+    {2, 294910, 27211511, &chassis::rear_left.command},  // rear_left
+    {2, 287793, 27204394, &chassis::rear_right.command},  // rear_right
+    {2, 280670, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 397445, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

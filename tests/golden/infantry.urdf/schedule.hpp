@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 189.103 us of its release.
+/// a job ends within 189.334 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 204.293 us of its release.
+/// a job ends within 204.524 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 277.683 us of its release.
+/// a job ends within 277.914 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 352.146 us of its release.
+/// a job ends within 352.377 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{178475, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{175135, 28439388, 28797459};
-inline constexpr finemote::Bounds pitch{170462, 28434715, 28797460};
-inline constexpr finemote::Bounds gimbal{204293, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{269318, 26533471, 26936008};
-inline constexpr finemote::Bounds front_right{264901, 26529054, 26936008};
-inline constexpr finemote::Bounds rear_left{260478, 26524631, 26936008};
-inline constexpr finemote::Bounds rear_right{256060, 26520213, 26936007};
-inline constexpr finemote::Bounds chassis{251637, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{352146, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{178724, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{175182, 28439435, 28797737};
+inline constexpr finemote::Bounds pitch{170509, 28434762, 28797738};
+inline constexpr finemote::Bounds gimbal{204524, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{269549, 26533702, 26936286};
+inline constexpr finemote::Bounds front_right{265132, 26529285, 26936286};
+inline constexpr finemote::Bounds rear_left{260709, 26524862, 26936286};
+inline constexpr finemote::Bounds rear_right{256291, 26520444, 26936285};
+inline constexpr finemote::Bounds chassis{251868, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{352377, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -73,7 +73,7 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 380902, finemote::kNothingToBound, nullptr},  // sticks
+    {1, 406786, finemote::kNothingToBound, nullptr},  // sticks
     {0, 249470, 29410518, &arm::base.command},  // base
     {0, 242353, 29403401, &arm::shoulder.command},  // shoulder
     {0, 217474, 29378522, &arm::elbow.command},  // elbow

@@ -19,7 +19,7 @@
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 346.7 us
+/// response <= 366.963 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
