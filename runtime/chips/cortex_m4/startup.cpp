@@ -36,10 +36,9 @@ inline void forget_interrupts() {
 
 extern "C" [[noreturn]] void finemote_reset() {
   using namespace finemote::cortex_m4;
-  asm volatile("cpsid i" : : : "memory");  // what a boot loader has enabled has no routine here
+  forget_interrupts();  // what a boot loader has enabled has no routine here
   // A boot loader may have left its own: PM0214 4.4.4.
   scb::VectorTable::write(reinterpret_cast<std::uintptr_t>(finemote_vectors));
-  forget_interrupts();
   // Before any function that may use an FPU register.
   scb::CoprocessorAccess::set(scb::kFpuFullAccess);
   barrier();

@@ -85,11 +85,9 @@ FINEMOTE_INLINE void note_bad_copy() {
 
 }  // namespace
 
-/// Where every reset begins, and a boot loader ends: with a stack that the copy does not overwrite, and without
-/// interrupts that have no vector here.
+/// Where every reset begins, and a boot loader ends: with a stack that the copy does not overwrite.
 extern "C" FINEMOTE_BOOT __attribute__((naked)) void finemote_boot() {
   asm volatile(
-      "cpsid i\n\t"
       "ldr r0, =_stack_top\n\t"
       "msr msp, r0\n\t"
       "movs r0, #0\n\t"
@@ -98,8 +96,11 @@ extern "C" FINEMOTE_BOOT __attribute__((naked)) void finemote_boot() {
       "b finemote_boot_copy");
 }
 
-/// The flash's vectors count until the copy is right; it is made again until it is.
+/// The flash's vectors count until the copy is right; it is made again until it is. Nothing interrupts meanwhile that
+/// has no vector there.
 extern "C" FINEMOTE_BOOT __attribute__((flatten, noinline)) void finemote_boot_copy() {
+  cortex_m4::systick::Control::write(0);
+  cortex_m4::nvic::disable_all();
   cortex_m4::mpu::Control::write(0);
   cortex_m4::scb::VectorTable::write(reinterpret_cast<std::uintptr_t>(&finemote_boot_vectors));
   stm32f4::rcc::enable(stm32f4::rcc::ahb1enr, stm32f4::rcc::kAhb1Crc);
