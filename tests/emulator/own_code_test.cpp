@@ -106,7 +106,8 @@ TEST_CASE("flash-write: a programmed word takes time, and nobody notices") {
 
 TEST_CASE(
     "flash: what is missed takes longer than was declared, which a run sees and the monitor where a job is late") {
-  const std::string update = "if (count % 2 == 0) { spin(3000); } else { spin(2000); spin(999); }";
+  const std::string update =
+      "for (int i = 0; i < 300; ++i) { if ((count + i) % 2 == 0) { spin(9); } else { spin(4); spin(5); } }";
   const std::string roomy = R"(<device name="urgent" type="sim_load" period="1ms">
   <param name="update">20us</param> <param name="handle">5us</param> <wcet update="100us" handle="30us"/></device>)";
   const ProbeRobot in_flash(update, 400'000, roomy, "flash"), in_sram(update, 400'000, roomy);
