@@ -103,9 +103,8 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   const auto image = path ? read_image(*path, diagnostics) : std::nullopt;
   if (!image || (!options.elf.empty() && !is_image_of(planned->robot, planned->forest, *image, *path, diagnostics)))
     return no_answer();
-  const Liberties liberties{may_change_constants(planned->robot, sources.access()),
-                            may_make_anew(planned->robot, sources.access())};
-  const KeptMembers kept = kept_members(*path, liberties, diagnostics);
+  const UserWords words = user_words(planned->robot, sources.access());
+  const KeptMembers kept = kept_members(*path, {words.has_mutable, words.makes_in_place}, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   progress.say("bounding execution times");
   inputs.placement = wcet::placement_of(*image);

@@ -41,16 +41,6 @@ std::vector<SourceText> user_texts(const Robot& robot, const files::Access& acce
   return all;
 }
 
-/// Whether `says_so` holds of one of them, as its preprocessor sees it, or nobody knows because words are made of two.
-template <typename SaysSo>
-bool may_say(const Robot& robot, const files::Access& access, const SaysSo& says_so) {
-  const std::vector<SourceText> all = user_texts(robot, access);
-  return std::any_of(all.begin(), all.end(), [&](const SourceText& file) {
-    const std::string lines = logical_lines(file.text);
-    return says_so(lines) || has_pasted_words(lines);
-  });
-}
-
 /// `new` in any spelling, or what the library has for it. There is no heap, so it is in a given place.
 bool makes_in_place(std::string_view lines) {
   for (const std::string_view word : {"construct", "uninitialized_"}) {
@@ -89,10 +79,18 @@ std::vector<std::string> user_files(const Robot& robot, const files::Access& acc
   return paths;
 }
 
-bool may_change_constants(const Robot& robot, const files::Access& access) {
-  return may_say(robot, access, [](std::string_view text) { return text.find("mutable") != std::string_view::npos; });
+UserWords user_words(const Robot& robot, const files::Access& access) {
+  UserWords words;
+  const auto says_mutable = [](std::string_view text) { return text.find("mutable") != std::string_view::npos; };
+  for (const SourceText& file : user_texts(robot, access)) {
+    const std::string lines = logical_lines(file.text);
+    const bool is_pasted = has_pasted_words(lines);
+    // Raw strings are taken for others: what follows one may be taken for a comment.
+    const bool has_raw_string = file.text.find("R\"") != std::string::npos;
+    words.has_mutable |= is_pasted || says_mutable(file.text) || says_mutable(lines);
+    words.makes_in_place |= is_pasted || makes_in_place(lines) || (has_raw_string && makes_in_place(file.text));
+  }
+  return words;
 }
-
-bool may_make_anew(const Robot& robot, const files::Access& access) { return may_say(robot, access, makes_in_place); }
 
 }  // namespace finemote::gen

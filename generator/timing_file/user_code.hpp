@@ -20,11 +20,12 @@ std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, cons
 /// lies in them, and what these include, whatever it is called.
 std::vector<std::string> user_files(const Robot& robot, const files::Access& access);
 
-/// Whether the word `mutable` is in one of them, wherever it stands, or may be made of two: parts of constants may
-/// change, then.
-bool may_change_constants(const Robot& robot, const files::Access& access);
+/// Words that are in one of them, or may be made of two.
+struct UserWords {
+  bool has_mutable = false;     ///< wherever it stands: parts of constants may change
+  bool makes_in_place = false;  ///< `new`, say, which makes an object in a given place: constants may be made anew
+};
 
-/// The same of what makes an object in a given place: one with constant members may be made anew.
-bool may_make_anew(const Robot& robot, const files::Access& access);
+UserWords user_words(const Robot& robot, const files::Access& access);
 
 }  // namespace finemote::gen

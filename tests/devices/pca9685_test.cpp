@@ -149,6 +149,12 @@ TEST_CASE_METHOD(Fixture, "one burst from the first to the last changed channel;
   REQUIRE(burst.size() == 1);
   CHECK(burst[0].size() == 33);
 
+  pwm.set(15, 0);  // the first time
+  pwm.flush();
+  pass(5 * kMillisecond);
+  CHECK(written() == std::vector<Bytes>{{0x42, 0, 0, 0, 0x10}});
+
+  pwm.set(15, 0);
   pwm.set(0, 0);  // no pulse: full off
   pwm.flush();
   pass(5 * kMillisecond);
