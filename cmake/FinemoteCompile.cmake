@@ -17,6 +17,15 @@ function(finemote_board board chips definitions)
   set(${definitions} ${FINEMOTE_BOARD_DEFINITIONS} PARENT_SCOPE)
 endfunction()
 
+# Whether the board stands in for that of a robot: what runs there is held to no bound.
+function(finemote_stands_in board result)
+  set(file ${FINEMOTE_ROOT}/runtime/boards/${board}/generated/board.cmake)
+  if(board AND EXISTS ${file})
+    include(${file})
+  endif()
+  set(${result} ${FINEMOTE_BOARD_STANDS_IN} PARENT_SCOPE)
+endfunction()
+
 # Stops where the compiler is not one for the chips of the board: it would fail in every assembler line.
 function(finemote_check_compiler board chips)
   if(NOT FINEMOTE_MACHINE_OF STREQUAL CMAKE_CXX_COMPILER)

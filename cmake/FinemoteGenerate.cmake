@@ -3,7 +3,8 @@
 # The words after `finemote generate` or `finemote check` that name the robot.
 function(finemote_robot_words result input board devices arguments)
   set(words ${input} --data-dir ${FINEMOTE_ROOT})
-  if(board AND NOT board MATCHES "^(${FINEMOTE_STAND_INS})$")  # these run what was made for the robot's own board
+  finemote_stands_in("${board}" stands_in)
+  if(board AND NOT stands_in)  # one that stands in runs what was made for the robot's own board
     list(APPEND words --board ${board})
   endif()
   foreach(folder ${devices})

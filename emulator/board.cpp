@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "emulator/firmware_clock.hpp"
+
 namespace finemote::emulator {
 namespace {
 constexpr unsigned kClocksLeft = 5;  // of a byte cut in the middle
@@ -21,7 +23,7 @@ Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::mo
   world_.connect(*cpu_);
   cpu_->set_log(&log_);
   chip_.syscfg.on_map = [this](bool ram) { cpu_->map_ram_to_zero(ram); };
-  if (options.cost == CostModel::qemu) chip_.rcc.fixed_hz = 168'000'000;
+  if (options.cost == CostModel::qemu) chip_.rcc.fixed_hz = kFirmwareHz;
   fill_ram();
   chip_.reset();
   chip_.rcc.lsi_hz =

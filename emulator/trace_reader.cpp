@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "emulator/firmware_clock.hpp"
+
 namespace finemote::emulator {
 namespace {
 
@@ -9,11 +11,7 @@ namespace {
 constexpr std::uint32_t kBuffer = 28, kSize = 32, kWrite = 36, kRead = 40, kLost = 48, kBlockBytes = 52;
 constexpr std::uint32_t kEntry = 8;  // bytes of the ring: stamp, code
 constexpr char kIdentifier[16] = "SEGGER RTT";
-constexpr std::uint32_t kCycleCounter = 0xE0001004;  // DWT_CYCCNT, PM0214 4.10
 constexpr Time kPollEvery = from_ns(100'000);
-
-/// 168 MHz: 21 cycles are 125 ns.
-std::int64_t to_nanoseconds(std::int64_t cycles) { return cycles * 125 / 21; }
 
 }  // namespace
 
@@ -45,7 +43,7 @@ void TraceReader::restarted() {
 /// When the cycle counter stood at 0, in cycles since power-on.
 std::int64_t TraceReader::clock_began() const {
   const std::int64_t counter = world_.system().read(kCycleCounter, 4, world_.now(), 0);
-  return static_cast<std::int64_t>(world_.now() / period_of(168'000'000)) - counter;
+  return static_cast<std::int64_t>(world_.now() / period_of(kFirmwareHz)) - counter;
 }
 
 void TraceReader::drain() {
@@ -69,7 +67,7 @@ void TraceReader::drain() {
     const std::uint32_t stamp = word(buffer + at), code = word(buffer + at + 4);
     // The first stamps may lie before the first release; later ones are less than 2^31 cycles apart.
     cycles_ += static_cast<std::int32_t>(stamp - static_cast<std::uint32_t>(cycles_));
-    events_.push_back(StageEvent{to_nanoseconds(offset_ + cycles_), code / 2, code % 2 == 0});
+    events_.push_back(StageEvent{cycles_to_ns(offset_ + cycles_), code / 2, code % 2 == 0});
   }
   std::memcpy(block + kRead, &at, 4);
 }

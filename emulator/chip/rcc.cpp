@@ -15,7 +15,7 @@ void Rcc::reset() {  // RM0090 7.3, reset values
   cr_ = 0x83;
   pllcfgr_ = 0x24003010;
   cfgr_ = 0;
-  csr_ = 0x0E000000;
+  csr_ &= kResetFlags;
   ahb1_ = 0x00100000;
   ahb2_ = ahb3_ = apb1_ = apb2_ = ahb3_reset_ = spread_ = 0;
   audio_pll_ = 0x20003000;

@@ -37,8 +37,9 @@ class Rcc : public Peripheral {
   [[nodiscard]] std::uint32_t running_lsi_hz() const { return (csr_ & 2) != 0 ? lsi_hz : 0; }
   [[nodiscard]] std::uint32_t divided_crystal_hz() const;
 
-  /// Why the chip was reset, as RCC_CSR shows it (bits 24..31).
-  void note_reset(std::uint32_t cause) { csr_ = (csr_ & 0x03) | cause; }
+  /// Why the chip was reset, as RCC_CSR shows it (bits 25..31): until the firmware removes the flags, or a power reset
+  /// does. RM0090 7.3.21.
+  void note_reset(std::uint32_t cause) { csr_ = (cause & kPowerReset) != 0 ? cause : csr_ | cause; }
   static constexpr std::uint32_t kBrownOutReset = 1U << 25, kPinReset = 1U << 26, kPowerReset = 1U << 27,
                                  kSoftwareReset = 1U << 28, kWatchdogReset = 1U << 29, kWindowReset = 1U << 30;
 
@@ -54,6 +55,8 @@ class Rcc : public Peripheral {
   std::function<void(ClockBus, unsigned)> reset_peripheral;
 
  private:
+  static constexpr std::uint32_t kResetFlags = 0x7FU << 25;
+
   static std::uint32_t divider(std::uint32_t field) { return field < 4 ? 1 : 2U << (field - 4); }
   [[nodiscard]] std::uint32_t pll_hz() const;
   void check_pll();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "emulator/board.hpp"
+#include "emulator/firmware_clock.hpp"
 #include "emulator/outfit/outfit.hpp"
 #include "emulator/program/audit.hpp"
 #include "emulator/program/firmware.hpp"
@@ -18,7 +19,6 @@ namespace finemote::emulator {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::uint32_t kCycleCounter = 0xE0001004;  // DWT_CYCCNT, PM0214 4.10
 constexpr unsigned kNoBracket = ~0U;
 constexpr std::uint64_t kStep = 1'000'000;              // ns
 constexpr std::uint64_t kLongestStart = 2'000'000'000;  // ns: clocks and parts are up long before
@@ -38,7 +38,7 @@ std::optional<std::int64_t> wait_for_first_release(Board& board, const Image& im
     if (!has_run_a_stage(board)) continue;
     auto& world = board.world();
     const std::int64_t cycles = world.system().read(kCycleCounter, 4, world.now(), 0);
-    return static_cast<std::int64_t>(board.now_ns()) - cycles * 125 / 21;  // 168 MHz: 21 cycles are 125 ns
+    return static_cast<std::int64_t>(board.now_ns()) - cycles_to_ns(cycles);
   }
   return std::nullopt;
 }

@@ -23,11 +23,12 @@ using Words = std::vector<std::string>;
 
 void run_job(const std::string& job_file, const std::string& record_file) {
   std::ifstream job(job_file);
+  if (!job) throw std::runtime_error("cannot read '" + job_file + "'");
   const auto record = finemote::emulator::run_job(nlohmann::ordered_json::parse(job));
   std::ofstream file(record_file, std::ios::binary | std::ios::trunc);
   file << record << "\n";
   file.close();
-  if (!file) throw std::runtime_error("cannot write the record");
+  if (!file) throw std::runtime_error("cannot write '" + record_file + "'");
 }
 
 /// Records are tens of megabytes of small pieces: taken from the system in large ones, and given back at the end alone.

@@ -212,6 +212,7 @@ class SourceFiles {
     Data data;
     data.set("chips", board_.is_host() ? "" : is_chip ? "stm32f4 cortex_m4" : board_.chip);
     data.set("definitions", is_chip ? "FINEMOTE_SILENT" : "");
+    data.set("stands_in", board_.stands_in ? "ON" : "OFF");
     add("board.cmake", "board.cmake", data);
   }
   void add(const std::string& name, const std::string& template_name, Data data) {

@@ -163,7 +163,7 @@ bool report_not_static(const timing::Model& model, const std::string& input, Dia
   judged
       .error(code::timing_not_static, timing::at_first_device(model),
              fmt::format("what the scheduler and the interrupts take is not static: {}", fmt::join(others, ", ")))
-      .note("an image with a part that has no bound, or a timing file of an older version, has none for these either");
+      .note("they are missing if anything in the image has no bound, or if the timing file is from an older version");
   return false;
 }
 

@@ -179,7 +179,7 @@ void add_timing_file(const TimingFileUse& file, CheckResult& result, Diagnostics
 
 Answer run_check(const Options& options, Sources& sources, Diagnostics& diagnostics) {
   if (options.out.empty() && !options.dump) {
-    diagnostics.error(code::usage, {}, "command 'check': --output is required").hint("finemote check --help");
+    diagnostics.error(code::usage, {}, "check needs the folder that holds the generated files").hint("add -o DIR");
     return no_answer();
   }
   const auto input = input_of(options, diagnostics);

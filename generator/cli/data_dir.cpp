@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "generator/file/installed_file.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/run/program_folder.hpp"
 
@@ -46,7 +47,7 @@ std::optional<std::string> read_data_file(const std::string& path, Diagnostics& 
   auto text = read_bytes(path);
   if (!text) {
     diagnostics.error(code::data_not_found, {}, fmt::format("cannot read '{}', which belongs to finemote", path))
-        .hint("install finemote again, or give another folder with --data-dir");
+        .hint(kInstallAgain);
   }
   return text;
 }

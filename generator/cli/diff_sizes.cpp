@@ -27,11 +27,7 @@ void add_image(const ImageFacts& image, Facts& facts) {
 }
 
 Json json_of(const std::optional<ImageFacts>& image) {
-  if (!image) return nullptr;
-  return {{"flash", image->flash},
-          {"ram", image->ram},
-          {"code_ram", image->code_ram},
-          {"stack", image->stack ? Json(*image->stack) : Json(nullptr)}};
+  return image ? sizes_json(*image) : Json(nullptr);
 }
 
 }  // namespace finemote::gen

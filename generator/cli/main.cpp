@@ -22,6 +22,7 @@
 #include "generator/cli/watch.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/file/descriptor_buffer.hpp"
+#include "generator/file/installed_file.hpp"
 #include "generator/file/system_reason.hpp"
 #include "generator/run/process.hpp"
 
@@ -113,6 +114,8 @@ int run_words(const std::vector<std::string>& words, std::ostream& out) {
     return report(code::unreadable_file,
                   "cannot use '" + error.path1().generic_string() + "': " + system_reason(error.code().value()),
                   nullptr, kExitInvalid);
+  } catch (const DamagedInstallation& error) {
+    return report(code::data_not_found, error.what(), kInstallAgain, kExitInvalid);
   } catch (const std::exception& error) {
     return report(code::internal, std::string("internal error: ") + error.what(),
                   "this is a defect of finemote; please report it with the input that shows it", kExitInternal);

@@ -206,15 +206,9 @@ RunResult result_of(const PlannedRobot& planned, const RunSetup& setup, const Im
 Answer answer_of_build(const ImageFacts& image, const std::string& board) {
   std::ostringstream text;
   print_image(image, text);
-  return {kExitYes, text.str(),
-          Json{{"schema", "finemote.build/1"},
-               {"board", board},
-               {"image",
-                {{"sha256", image.sha256},
-                 {"flash", image.flash},
-                 {"ram", image.ram},
-                 {"code_ram", image.code_ram},
-                 {"stack", image.stack ? Json(*image.stack) : Json(nullptr)}}}}};
+  Json facts{{"sha256", image.sha256}};
+  facts.update(sizes_json(image));
+  return {kExitYes, text.str(), Json{{"schema", "finemote.build/1"}, {"board", board}, {"image", std::move(facts)}}};
 }
 
 Answer answer_of_run(const Options& options, const RunResult& result, Diagnostics& diagnostics) {

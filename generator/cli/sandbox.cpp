@@ -66,6 +66,8 @@ std::vector<std::string> named_folders(const Options& options) {
   return folders;
 }
 
+static_assert(kSeconds == 60 && code::sandbox_limit == Code{9}, "the words below say so");
+
 /// Runs in a signal: calls nothing but the system.
 void end_at_time_limit(int /*signal*/) {
   constexpr std::string_view words =

@@ -146,7 +146,9 @@ class BoardCheck {
       const Port& port = board.ports[i];
       const JsonPath path{"ports", std::to_string(i), "period_ns"};
       if (port.period < runtime_limits::kShortestPwmPeriod || port.period > runtime_limits::kLongestPwmPeriod)
-        contradiction(path, fmt::format("port '{}': pulses repeat every 1 us to 400 ms", port.name));
+        contradiction(path, fmt::format("port '{}': pulses repeat every {} to {}", port.name,
+                                        spaced_duration(runtime_limits::kShortestPwmPeriod),
+                                        spaced_duration(runtime_limits::kLongestPwmPeriod)));
       if (!port.timer) continue;
       const Port& first = *timers.emplace(port.timer->timer, &port).first->second;
       if (first.period != port.period) {

@@ -17,6 +17,7 @@
 #include "generator/descriptor/schema_check.hpp"
 #include "generator/descriptor/schema_file.hpp"
 #include "generator/descriptor/shipped.hpp"
+#include "generator/file/installed_file.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -113,7 +114,7 @@ bool guarded(const JsonFile& json, Diagnostics& diagnostics, Read read) {
   if (succeeds(read)) return true;
   diagnostics.error(code::descriptor_schema, find_value(json.origin, {}).at, "a member is missing or of another type")
       .note("its schema takes it: the schemas in the data folder are not those of this tool")
-      .hint("install finemote again, or give another folder with --data-dir");
+      .hint(kInstallAgain);
   return false;
 }
 

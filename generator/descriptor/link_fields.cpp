@@ -1,9 +1,7 @@
 #include "generator/descriptor/link_fields.hpp"
 
-#include <fstream>
-#include <stdexcept>
-
 #include "generator/descriptor/member.hpp"
+#include "generator/file/installed_file.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -21,9 +19,7 @@ std::optional<std::vector<LinkField>> read_link_fields(const Json& owner, const 
 
 InterfaceTable shipped_interfaces(const std::string& schema_dir) {
   const std::string path = schema_dir + "/interfaces.json";
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot read " + path);
-  const Json document = Json::parse(file);
+  const Json document = Json::parse(read_installed(path));
   InterfaceTable table;
   for (const auto& [name, interface] : document.at("interfaces").items())
     table[name] = {read_link_fields(interface, "state"), read_link_fields(interface, "command")};

@@ -112,8 +112,8 @@ std::optional<ParamFault> check_range(const ParamSpec& spec, const ParamValue& v
     const std::string range =
         spec.min && spec.max
             ? fmt::format("write a value from {} to {}", number_text(spec, *spec.min), number_text(spec, *spec.max))
-        : spec.min ? fmt::format("the least is {}", number_text(spec, *spec.min))
-                   : fmt::format("the most is {}", number_text(spec, *spec.max));
+        : spec.min ? fmt::format("the minimum is {}", number_text(spec, *spec.min))
+                   : fmt::format("the maximum is {}", number_text(spec, *spec.max));
     return ParamFault{code::param_range, fmt::format("'{}' is out of range", text), range};
   }
   const auto* integer = std::get_if<std::int64_t>(&value);

@@ -14,6 +14,7 @@
 #include <valijson/validator.hpp>
 
 #include "generator/diagnostic/suggest.hpp"
+#include "generator/file/installed_file.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -205,7 +206,7 @@ std::vector<SchemaMistake> check_schema(const Json& value, const std::string& sc
     valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
   } catch (const std::exception&) {  // all that valijson says of a schema that is none
     diagnostics.error(code::data_not_found, {}, "a JSON Schema in the data folder is damaged")
-        .hint("install finemote again, or give another folder with --data-dir");
+        .hint(kInstallAgain);
     return {SchemaMistake{}};
   }
   valijson::Validator validator;

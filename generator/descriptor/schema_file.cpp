@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "generator/descriptor/json_file.hpp"
+#include "generator/file/installed_file.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -26,7 +27,7 @@ std::optional<SchemaFile> read_one(const std::filesystem::path& path, Diagnostic
   diagnostics
       .error(code::data_not_found, {},
              fmt::format("cannot read '{}', which belongs to finemote", path.generic_string()))
-      .hint("install finemote again, or give another folder with --data-dir");
+      .hint(kInstallAgain);
   return {};
 }
 

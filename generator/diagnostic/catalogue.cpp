@@ -12,16 +12,20 @@ namespace finemote::gen {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path folder(const std::string& data_dir) { return fs::path(data_dir) / "docs" / "diagnostics"; }
+std::string read(const fs::path& page) {
+  std::ifstream in(page, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
 
-/// `# FM3012: title` -> `title`.
+}  // namespace
+
 std::string title_of(const std::string& page) {
   const std::string first = page.substr(0, page.find('\n'));
   const std::size_t colon = first.find(": ");
   return colon == std::string::npos ? std::string() : first.substr(colon + 2);
 }
-
-}  // namespace
 
 std::optional<Code> parse_code(std::string_view text) {
   const bool has_prefix = text.size() > 2 && (text[0] == 'F' || text[0] == 'f') && (text[1] == 'M' || text[1] == 'm');
@@ -33,22 +37,13 @@ std::optional<Code> parse_code(std::string_view text) {
   return code;
 }
 
-std::optional<std::string> explain(const std::string& data_dir, Code code) {
-  std::ifstream in(folder(data_dir) / (code_name(code) + ".md"), std::ios::binary);
-  if (!in) return {};
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-std::vector<CatalogueEntry> list_catalogue(const std::string& data_dir) {
+std::vector<CatalogueEntry> list_catalogue(const std::string& folder) {
   std::vector<CatalogueEntry> entries;
   std::error_code problem;
-  for (fs::directory_iterator entry(folder(data_dir), problem), end; !problem && entry != end;
-       entry.increment(problem)) {
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
     const auto code = entry->path().extension() == ".md" ? parse_code(entry->path().stem().string()) : std::nullopt;
     if (!code) continue;
-    entries.push_back({*code, title_of(explain(data_dir, *code).value_or(""))});
+    entries.push_back({*code, title_of(read(entry->path()))});
   }
   std::sort(entries.begin(), entries.end(),
             [](const CatalogueEntry& a, const CatalogueEntry& b) { return a.code.number < b.code.number; });

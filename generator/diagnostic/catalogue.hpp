@@ -1,4 +1,4 @@
-// The pages docs/diagnostics/FMnnnn.md as a list: what `finemote explain` prints.
+// The pages FMnnnn.md of the diagnostics as a list, as `finemote explain` prints it.
 #pragma once
 
 #include <optional>
@@ -18,10 +18,10 @@ struct CatalogueEntry {
 /// `FM3012`, `fm3012` or `3012` as a code; none for anything else.
 std::optional<Code> parse_code(std::string_view text);
 
-/// All pages below `data_dir`, by number; empty when there are none.
-std::vector<CatalogueEntry> list_catalogue(const std::string& data_dir);
+/// All pages in `folder`, by number; empty when there are none.
+std::vector<CatalogueEntry> list_catalogue(const std::string& folder);
 
-/// The page of a code, as Markdown; none when there is no such page.
-std::optional<std::string> explain(const std::string& data_dir, Code code);
+/// `the board has no such port`, of a page that starts `# FM3012: the board has no such port`.
+std::string title_of(const std::string& page);
 
 }  // namespace finemote::gen

@@ -1,26 +1,17 @@
 #include "generator/emit/template.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 
 #include "generator/emit/layout.hpp"
+#include "generator/file/installed_file.hpp"
 
 namespace finemote::gen {
 namespace {
 
 constexpr unsigned kDeepest = 8;  ///< partials within partials
 constexpr std::string_view kOpen = "{{", kClose = "}}";
-
-std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read template " + path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// One tag with what stands around it.
 struct Tag {
@@ -136,7 +127,7 @@ const std::string& Templates::text(const std::string& name, unsigned depth) {
   if (depth > kDeepest) throw std::logic_error("template " + name + " is a part of itself");
   const auto known = texts_.find(name);
   if (known != texts_.end()) return known->second;
-  std::string text = expanded(read_text(folder_ + "/" + name), depth);
+  std::string text = expanded(read_installed(folder_ + "/" + name), depth);
   return texts_.emplace(name, std::move(text)).first->second;
 }
 

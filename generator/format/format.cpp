@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "generator/format/tokens.hpp"
+#include "generator/xml/markup_tokens.hpp"
 #include "generator/model/grammar.hpp"
 
 namespace finemote::gen {

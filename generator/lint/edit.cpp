@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "generator/xml/markup_tokens.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -20,51 +22,19 @@ std::optional<std::size_t> offset_of(const Position& at) {
   return offset;
 }
 
-/// Behind `close`, searched from `from`; the end of the text when it is missing.
-std::size_t behind(std::string_view text, std::size_t from, std::string_view close) {
-  const std::size_t at = text.find(close, from);
-  return at == std::string_view::npos ? text.size() : at + close.size();
-}
-
-/// Behind the `>` of the tag at `from`; quoted values may hold one.
-std::size_t behind_tag(std::string_view text, std::size_t from) {
-  char quote = '\0';
-  for (std::size_t i = from; i < text.size(); ++i) {
-    if (quote != '\0') {
-      if (text[i] == quote) quote = '\0';
-    } else if (text[i] == '"' || text[i] == '\'') {
-      quote = text[i];
-    } else if (text[i] == '>') {
-      return i + 1;
-    }
+/// Past the end tag of the element at `from`. The text was parsed before, so tags match.
+std::size_t end_of_element(std::string_view text, std::size_t from) {
+  using Kind = MarkupToken::Kind;
+  std::size_t depth = 0, at = from;
+  while (at < text.size()) {
+    const MarkupToken token = markup_token_at(text, at);
+    at += token.bytes.size();
+    if (token.kind == Kind::start) ++depth;
+    if (token.kind == Kind::end) --depth;
+    const bool is_tag = token.kind == Kind::start || token.kind == Kind::end || token.kind == Kind::empty;
+    if (is_tag && depth == 0) break;
   }
-  return text.size();
-}
-
-/// Behind the end tag of the element at `from`. The text was parsed before, so tags match.
-std::size_t behind_element(std::string_view text, std::size_t from) {
-  std::size_t depth = 0;
-  for (std::size_t at = from; at < text.size();) {
-    at = text.find('<', at);
-    if (at == std::string_view::npos) break;
-    const std::string_view rest = text.substr(at);
-    if (rest.substr(0, 4) == "<!--") {
-      at = behind(text, at, "-->");
-    } else if (rest.substr(0, 9) == "<![CDATA[") {
-      at = behind(text, at, "]]>");
-    } else if (rest.substr(0, 2) == "<?") {
-      at = behind(text, at, "?>");
-    } else {
-      const std::size_t end = behind_tag(text, at);
-      const bool closes = rest.substr(0, 2) == "</";
-      const bool is_empty = end >= 2 && text[end - 2] == '/';
-      if (closes) --depth;
-      if (!closes && !is_empty) ++depth;
-      at = end;
-      if (depth == 0) return end;
-    }
-  }
-  return text.size();
+  return at;
 }
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -85,7 +55,7 @@ ElementExtent with_comments_behind(std::string_view text, ElementExtent extent) 
   std::size_t end = extent.end;
   while (end < text.size() && is_blank(text[end])) ++end;
   while (text.substr(end, kOpen.size()) == kOpen) {
-    end = behind(text, end, "-->");
+    end += markup_token_at(text, end).bytes.size();
     while (end < text.size() && is_blank(text[end])) ++end;
   }
   const ElementExtent whole = with_lines(text, {extent.begin, end});
@@ -97,7 +67,7 @@ ElementExtent with_comments_behind(std::string_view text, ElementExtent extent) 
 std::optional<ElementExtent> find_element(const Position& at) {
   const auto begin = offset_of(at);
   if (!begin) return {};
-  return with_lines(at.file->text, {*begin, behind_element(at.file->text, *begin)});
+  return with_lines(at.file->text, {*begin, end_of_element(at.file->text, *begin)});
 }
 
 ElementExtent with_comments(const SourceFile& file, ElementExtent extent) {

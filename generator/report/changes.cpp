@@ -156,8 +156,8 @@ std::string changes_of(const Documents& documents) {
   std::string text;
   if (was_good != is_good)
     text = fmt::format("<p class=\"{}\">{}</p>\n", is_good ? "better" : "worse",
-                       is_good ? "Every deadline is kept now; before, some could be missed."
-                               : "Some deadline can be missed now; before, all were kept.");
+                       is_good ? "Every deadline is met now; before, some could be missed."
+                               : "Some deadline can be missed now; before, all were met.");
   if (changes.counts.empty()) return text + "<p>Nothing: every bound, load and requirement is what it was.</p>\n";
   std::string sentence, rows;
   for (const char* name : {"worse", "removed", "added", "changed", "better"}) {

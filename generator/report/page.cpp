@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
+#include "generator/file/installed_file.hpp"
 #include "generator/graph/forest_svg.hpp"
 #include "generator/output/sha256.hpp"
 #include "generator/report/base64.hpp"
@@ -33,12 +31,6 @@ constexpr std::pair<const char*, const char*> kLooks[] = {{"good", "✓"}, {"ope
 /// The pieces of a page, by the names that stand for them in page.html between two `@`.
 using Pieces = std::map<std::string, std::string>;
 
-std::string read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 std::string filled(const std::string& frame, const Pieces& pieces) {
   std::string page;
   std::size_t at = 0;
@@ -55,12 +47,12 @@ std::string style_of(const std::string& folder) {
              ":root {{\n{0}}}\n@media (prefers-color-scheme: dark) {{\n:root:not([data-theme=light]) {{\n{1}}}\n}}\n"
              ":root[data-theme=dark] {{\n{1}}}\n@media print {{\n:root:root:root {{\n{0}}}\n}}\n",
              svg::kLightColours, svg::kDarkColours) +
-         kForestStyle + read(folder + "/style.css");
+         kForestStyle + read_installed(folder + "/style.css");
 }
 
 std::string script_of(const std::string& folder) {
   std::string text = "'use strict';\n";
-  for (const char* name : kScripts) text += read(folder + "/" + name);
+  for (const char* name : kScripts) text += read_installed(folder + "/" + name);
   return text;
 }
 
@@ -115,7 +107,7 @@ std::string page_of(const Contents& contents, const std::string& folder) {
   add_optional("run", "The run over time", over_time(documents), pieces);
   add_optional("image", "Flash and RAM", image_table(documents), pieces);
   add_optional("body", "The robot from three sides", body_pictures(body), pieces);
-  return filled(read(folder + "/page.html"), pieces);
+  return filled(read_installed(folder + "/page.html"), pieces);
 }
 
 }  // namespace finemote::gen::report

@@ -174,7 +174,7 @@ Verdict verdict_of(const Documents& documents, const std::string& robot) {
     return {Look::bad, robot + " can miss a deadline: devices every " + late_buckets(documents.of_verdict())};
   if (const std::string trouble = trouble_of(documents.of_run()); !trouble.empty())
     return {Look::bad, robot + " " + trouble};
-  const std::string so_far = robot + " keeps every deadline";
+  const std::string so_far = robot + " meets every deadline";
   const std::size_t all = timing["requirements"].size();
   if (const std::size_t count = failed(timing["requirements"]); count > 0)
     return {Look::bad, fmt::format("{}, but fails {} of {} requirements", so_far, count, all)};

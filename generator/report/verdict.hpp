@@ -11,7 +11,7 @@ struct Verdict {
   /// `open`: nothing is wrong, and not everything is proven.
   enum class Look { good, open, bad };
   Look look = Look::bad;
-  std::string text;  ///< `FinsROV keeps every deadline and every requirement`
+  std::string text;  ///< `FinsROV meets every deadline and every requirement`
 };
 
 /// Bad where `analyze` or `run` would exit with 1 for what the documents hold, open where some command has no bound of

@@ -44,6 +44,8 @@ bool are_there(const std::vector<std::pair<std::string, std::string>>& programs,
   return true;
 }
 
+constexpr const char* kArmPackages = "gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib";
+
 /// What a build for the board needs, with the packages of Debian it comes in. On the host CMake finds a compiler under
 /// many names.
 std::vector<std::pair<std::string, std::string>> tools_for(bool for_host) {
@@ -51,7 +53,7 @@ std::vector<std::pair<std::string, std::string>> tools_for(bool for_host) {
   if (for_host) {
     if (std::getenv("CXX") == nullptr) tools.emplace_back("c++", "g++");
   } else {
-    tools.emplace_back("arm-none-eabi-g++", "gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib");
+    tools.emplace_back("arm-none-eabi-g++", kArmPackages);
   }
   return tools;
 }
@@ -91,7 +93,7 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
   const ProcessResult result = run_process(command, kLongestBuild, build_environment());
   if (result.started && !result.timed_out && result.exit_status == 0) return true;
   if (!result.started) {
-    report_not_started(command.front(), "install it, for example: apt-get install cmake ninja-build gcc-arm-none-eabi",
+    report_not_started(command.front(), fmt::format("install it, for example: apt-get install cmake ninja-build {}", kArmPackages),
                        diagnostics);
     return false;
   }

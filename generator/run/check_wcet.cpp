@@ -56,7 +56,7 @@ bool check(const Device& device, DeviceId index, const Wcet& given, const Stages
     finding.note("this WCET is the type's default: the device gives none");
   const auto measured = measured_wcet(index, seen);
   if (measured) {
-    finding.hint(fmt::format("write {}: the longest run seen and a quarter", wcet_element(*measured)));
+    finding.hint(fmt::format("write {}: the longest run seen plus 25 %", wcet_element(*measured)));
   } else {
     finding.hint("let the run last until both stages have run: then it offers the measured <wcet>");
   }

@@ -19,7 +19,7 @@ Table<DeviceId, Wcet> analysed_wcets(const Robot& robot, const Forest& forest, c
 bool check_wcet(const Robot& robot, const Table<DeviceId, Wcet>& wcets, const RunRecord& record,
                 Diagnostics& diagnostics);
 
-/// Execution times a run has shown: the longest own time of each stage and a quarter.
+/// Execution times a run has shown: the longest own time of each stage plus 25 %.
 struct MeasuredWcet {
   DeviceId device;
   Duration update, handle;

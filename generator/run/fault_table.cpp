@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "generator/file/installed_file.hpp"
 
 namespace finemote::gen {
 
@@ -13,9 +13,8 @@ using Json = nlohmann::ordered_json;
 
 FaultTable load_fault_table(const std::string& data_dir) {
   const std::string path = data_dir + "/schemas/faults.json";
-  std::ifstream file(path, std::ios::binary);
-  const Json json = Json::parse(file, nullptr, false);
-  if (json.is_discarded()) throw std::runtime_error("cannot read '" + path + "'");
+  const Json json = Json::parse(read_installed(path), nullptr, false);
+  if (json.is_discarded()) throw DamagedInstallation(path);
   FaultTable table;
   for (const Json& entry : json.at("faults")) {
     FaultMeaning meaning;

@@ -31,4 +31,13 @@ std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, cons
   return facts;
 }
 
+nlohmann::ordered_json sizes_json(const ImageFacts& image) {
+  using Json = nlohmann::ordered_json;
+  const bool is_arm = image.flash > 0;
+  return {{"flash", is_arm ? Json(image.flash) : Json(nullptr)},
+          {"ram", is_arm ? Json(image.ram) : Json(nullptr)},
+          {"code_ram", is_arm ? Json(image.code_ram) : Json(nullptr)},
+          {"stack", image.stack ? Json(*image.stack) : Json(nullptr)}};
+}
+
 }  // namespace finemote::gen

@@ -1,6 +1,7 @@
 // A linked image to the figures people ask for first.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,5 +25,8 @@ struct ImageFacts {
 /// promises: reports what check_image and worst_case_stack report.
 std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, const Robot& robot,
                                       bool constructors_allowed, Diagnostics& diagnostics);
+
+/// `flash`, `ram`, `code_ram` and `stack` in bytes: null where they are not known, as of a host executable.
+nlohmann::ordered_json sizes_json(const ImageFacts& image);
 
 }  // namespace finemote::gen

@@ -225,7 +225,8 @@ Json expectation_list(const RunResult& result) {
 }
 
 Json image_json(const ImageFacts& image) {
-  const bool is_arm = image.flash > 0;
+  Json facts{{"sha256", image.sha256}};
+  facts.update(sizes_json(image));
   Json parts = Json::array();
   for (const ImageShare& share : image.shares) {
     parts.push_back({{"kind", share_name(share.kind)},
@@ -233,12 +234,8 @@ Json image_json(const ImageFacts& image) {
                      {"flash", share.flash},
                      {"ram", share.ram}});
   }
-  return {{"sha256", image.sha256},
-          {"flash", is_arm ? Json(image.flash) : Json(nullptr)},
-          {"ram", is_arm ? Json(image.ram) : Json(nullptr)},
-          {"code_ram", is_arm ? Json(image.code_ram) : Json(nullptr)},
-          {"stack", image.stack ? Json(*image.stack) : Json(nullptr)},
-          {"parts", std::move(parts)}};
+  facts["parts"] = std::move(parts);
+  return facts;
 }
 
 }  // namespace

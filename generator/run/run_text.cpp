@@ -186,7 +186,7 @@ void print_monitor(const RunResult& result, std::ostream& out) {
 /// Measured execution times, ready to paste.
 void print_wcets(const RunResult& result, std::ostream& out) {
   if (result.wcets.empty()) return;
-  out << "\nmeasured here, of devices whose execution times are assumed: the longest run seen and a quarter\n";
+  out << "\nmeasured here, of devices whose execution times are assumed: the longest run seen plus 25 %\n";
   for (const MeasuredWcet& wcet : result.wcets)
     out << fmt::format("  {:<28} {}\n", name_of(result, wcet.device), wcet_element(wcet));
 }

@@ -75,8 +75,7 @@ namespace {
 template <class Amount, class Text>
 void say(std::vector<std::string>& said, const char* what, const Declared<Amount>& amount, const Text& text) {
   if (amount.judged() != Judgement::broken) return;
-  said.push_back(
-      fmt::format("{} {}, where what is declared makes {} at most", what, text(amount.seen), text(*amount.most)));
+  said.push_back(fmt::format("{} {} (declared: at most {})", what, text(amount.seen), text(*amount.most)));
 }
 
 /// Devices on a bus, those of types of the user's first: shipped ones declare what they send.
@@ -95,7 +94,7 @@ std::vector<std::string> devices_on(const Robot& robot, BusId bus, bool builtin)
 bool check(const Robot& robot, const MeasuredTraffic& traffic, Diagnostics& diagnostics) {
   std::vector<std::string> said;
   const auto time = [](Duration duration) { return fmt::format("{:.3f} ms", duration.ns() / 1e6); };
-  const auto count = [](std::int64_t number) { return fmt::format("{}", number); };
+  const auto count = [](std::int64_t number) { return fmt::format("{} time{}", number, number == 1 ? "" : "s"); };
   say(said, traffic.received ? "it sent for" : "its wire was in use for", traffic.sent, time);
   if (traffic.received) say(said, "it received for", *traffic.received, time);
   say(said, "its interrupts ran", traffic.interrupts, count);

@@ -2,22 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
+
+#include "generator/file/installed_file.hpp"
 
 namespace finemote::gen {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read_template(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw fs::filesystem_error("read", path, std::make_error_code(std::errc::io_error));
-  return text;
-}
 
 /// `dot_github/workflows` to `.github/workflows`.
 std::string with_dots(const fs::path& name) {
@@ -62,7 +55,7 @@ std::vector<OutputFile> fill_folder(const std::string& folder, const Keys& keys)
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
     const std::string name = with_dots(entry.path().lexically_relative(folder));
-    files.push_back({fill_keys(name, keys), fill_keys(read_template(entry.path()), keys)});
+    files.push_back({fill_keys(name, keys), fill_keys(read_installed(entry.path().generic_string()), keys)});
   }
   std::sort(files.begin(), files.end(), [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });
   return files;

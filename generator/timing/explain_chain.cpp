@@ -44,7 +44,7 @@ class ChainExplainer {
     const std::string undeclared = undeclared_text(model_, *bus);
     if (!undeclared.empty()) return void(finding_.note(fmt::format("{}: {}", part_name(part), undeclared)));
     finding_.note(
-        fmt::format("{}: on bus '{}' a message may still wait when the next one is due; the bus needs {} "
+        fmt::format("{}: on bus '{}' a message may still be queued when the next one is due; the bus needs {} "
                     "of its capacity",
                     part_name(part), model_.buses[*bus].name, whole_percent(timing_.bus_loads[*bus].utilization)));
   }

@@ -116,7 +116,7 @@ std::string undeclared_text(const Model& model, BusPlace bus) {
   }
   if (count == 0) return {};
   if (count > kMost) who += fmt::format(" and {} more", count - kMost);
-  return fmt::format("anything may go over bus '{}': {} not declare {} there ('frames')", model.buses[bus].name,
+  return fmt::format("the load of bus '{}' is unknown: {} not declare {} there ('frames')", model.buses[bus].name,
                      who + (count > 1 ? " do" : " does"), count > 1 ? "what they send" : "what it sends");
 }
 

@@ -59,9 +59,7 @@ std::string unknown_age_text(const Device& device) {
                        device.name);
   if (device.unknown_age == UnknownAge::sent_by_itself)
     return fmt::format(
-        "some of what '{}' reads comes by itself, and its type says that it is asked for it ('polled'): not how often "
-        "it "
-        "comes",
+        "'{}' receives data that it has not asked for, but its type is 'polled' and does not say how often they come",
         device.name);
   if (device.unknown_age == UnknownAge::shared_converter)
     return fmt::format("the converter of '{}' measures another input, too, and drops what nobody has taken yet",
@@ -86,7 +84,7 @@ std::string why(const Timing& timing, const Cause& cause) {
     return fmt::format("bus '{}' is overloaded: it needs {} of its capacity ({})", bus.name, percent(load), users);
   const Device& device = timing.model.devices[cause.device];
   return fmt::format(
-      "on bus '{}' a message of '{}' may still wait when the next one is due: {} of the capacity is used, "
+      "on bus '{}' a message of '{}' may still be queued when the next one is due: {} of the capacity is used, "
       "and in the worst case all of it at once ({})",
       bus.name, device.name, percent(load), users);
 }

@@ -1,5 +1,7 @@
 """Everything that can go wrong on a bus of a robot, one fault after the other."""
 
+import workshop
+
 FIRST_NS, EVERY_NS = 150_000_000, 30_000_000
 LASTS_NS = 15_000_000  # of faults that have to be ended
 
@@ -19,7 +21,7 @@ _SILENT, _DAMAGE, _CYCLE = {"do": "silent"}, {"do": "damage", "frames": 5}, {"do
 OF_PARTS = {
     "h30_imu": (_SILENT, _DAMAGE), "dr16": (_SILENT, _DAMAGE), "sbus": (_SILENT, _DAMAGE, {"do": "failsafe"}),
     "ms5837": (_SILENT,), "ist8310": (_SILENT, _CYCLE), "bmi088": (_SILENT, {"do": "cut"}, _CYCLE),
-    **dict.fromkeys(("dji_m3508", "dji_m2006", "dji_gm6020"), (_SILENT, _DAMAGE)),
+    **dict.fromkeys(workshop.MOTORS, (_SILENT, _DAMAGE)),
     "tca9548a": (_CYCLE,), "pca9685": (_CYCLE,),
 }
 

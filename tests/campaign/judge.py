@@ -63,15 +63,14 @@ def devices_on(bus, model):
 class Verdict:
     """What the runs of one robot showed.
 
-    broken: what was above its bound, in words, and of which kinds it was. unjudged: chains of which some part is neither
-    held nor broken. chains: those judged in every part, as (source, target). shares: by key, measured maximum / bound, and
-    the bound [ns].
+    broken: what was above its bound, in words, and of which kinds it was. chains: those judged in every part, as
+    (source, target). shares: by key, measured maximum / bound, and the bound [ns].
     """
 
     def __init__(self, mistakes):
         self.broken = list(mistakes)
         self.kinds = {"mistake"} if mistakes else set()
-        self.unjudged, self.chains, self.shares = [], [], {}
+        self.chains, self.shares = [], {}
 
     def hold(self, key, largest, bound, lowered):
         if bound > 0:
@@ -125,10 +124,7 @@ class Judge:
                 verdict.hold(key, largest, bound, self.lowered(key, bound))
         for source, target in self.asked:
             keys = [(source, target, kind) for kind in KINDS]
-            missing = [key[2] for key in keys if key not in self.seen or self.bounds[key] is None]
-            if missing:
-                verdict.unjudged.append(f"{source} -> {target}: {', '.join(missing)}")
-            else:
+            if all(key in self.seen and self.bounds[key] is not None for key in keys):
                 verdict.chains.append((source, target))
         return verdict
 

@@ -165,7 +165,7 @@ def finsrov_piece(draw):
 
 # ---- any of them
 
-_PIECES = {"h30_imu": h30_piece, "dr16": dr16_piece, "sbus": sbus_piece, "finsrov": finsrov_piece}
+PIECES = {"h30_imu": h30_piece, "dr16": dr16_piece, "sbus": sbus_piece, "finsrov": finsrov_piece}
 
 
 class Line:
@@ -179,7 +179,7 @@ class Line:
             return some_bytes(draw)
         if self.kind == "host_link" and self.layout is not None:
             return link_piece(draw, self.layout)
-        return _PIECES[self.kind](draw) if self.kind in _PIECES else some_bytes(draw)
+        return PIECES[self.kind](draw) if self.kind in PIECES else some_bytes(draw)
 
     def draw(self, draw):
         return b"".join(self.piece(draw) for _ in range(draw.choice((1, 1, 2, 4, 8))))[:MOST_BYTES]

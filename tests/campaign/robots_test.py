@@ -9,6 +9,7 @@ import sys
 import tempfile
 import unittest
 
+import census
 import draw
 import judge
 import robots
@@ -18,7 +19,6 @@ import workshop
 
 DRAWN, ANALYSED = 1000, 60
 LEAST = 0.05  # of the drawn robots, for each type: more than 3 % of those that count
-SHORT_NS = 1_000_000
 
 SHIPPED_TYPES = {path.stem for path in (robots.ROOT / "schemas" / "devices").glob("*.json")}
 OWN_TYPES = {path.stem for path in robots.DEVICES.glob("*.json")}
@@ -67,7 +67,7 @@ class Analyses(unittest.TestCase):
                 chains += [c["decide_ns"] for c in analysis["chains"]
                            if judge.is_bounded(c) and types[c["from"]] in workshop.SAMPLED]
         self.assertGreater(len(chains), 5 * ANALYSED)
-        self.assertGreater(sum(decide < SHORT_NS for decide in chains), len(chains) / 3)
+        self.assertGreater(sum(decide < census.SHORT_NS for decide in chains), len(chains) / 3)
 
 
 if __name__ == "__main__":

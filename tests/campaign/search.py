@@ -322,7 +322,7 @@ def above_assumed(rows):
 
 
 #: Parsers: bounds of the image hold for all bytes that a line could bring, the assumed times for those that it is known to.
-PARSERS = ("h30_imu", "dr16", "sbus", "host_link", "finsrov")
+PARSERS = (*lines.PIECES, "host_link")
 
 
 def below_bound(rows):

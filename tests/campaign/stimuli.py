@@ -2,6 +2,8 @@
 
 import random
 
+import workshop
+
 SCHEMA = "finemote.scenario/1"
 LENGTH_NS = 300_000_000  # of a run
 EVERY_NS = 20_000_000  # about, from one event to the next
@@ -29,7 +31,7 @@ def command(draw):
 MOVES = {
     **dict.fromkeys(("h30_imu", "bmi088", "ist8310"), pose),
     **dict.fromkeys(("dr16", "sbus"), sticks),
-    **dict.fromkeys(("dji_m3508", "dji_m2006", "dji_gm6020"), push),
+    **dict.fromkeys(workshop.MOTORS, push),
     "host_link": command,
     "ms5837": lambda draw: {"do": "move", "pressure": draw.uniform(105_000, 125_000)},
     "gauge": lambda draw: {"do": "set", "r0": draw.randrange(256), "r1": draw.randrange(256)},

@@ -6,8 +6,9 @@ import pathlib
 import subprocess
 
 import robots
+import stimuli
 
-DURATION = "300ms"
+DURATION = f"{stimuli.LENGTH_NS // 1000}us"
 
 #: How programs take memory from the system: a record is some ten megabytes of small pieces.
 LARGE_PIECES = ":".join(f"glibc.malloc.{name}={size}" for name, size in
@@ -48,18 +49,21 @@ class Tool:
             raise ToolFailed(f"{words[1]} ended with exit status {answer.returncode}\n{answer.stderr}")
         return answer
 
-    def call(self, command, robot, *arguments):
+    def write(self, robot):
+        """The robot in its file; its path."""
         file = self.folder / "robot.urdf"
         file.write_text(robot.text(), encoding="utf-8")
+        return file
+
+    def call(self, command, robot, *arguments):
         chains = [word for source, target in robot.pairs for word in ("--chain", f"{source}->{target}")]
-        words = [self.path, command, str(file), "--device-path", str(self.devices), "--format", "json"]
+        words = [self.path, command, str(self.write(robot)), "--device-path", str(self.devices), "--format", "json"]
         return self.ask([*words, *chains, *arguments], env=self.environment)
 
     def bound(self, robot):
         """Writes the robot's timing file, which every call after it reads. None, or what the tool said where something in
         the image has no bound."""
-        file = self.folder / "robot.urdf"
-        file.write_text(robot.text(), encoding="utf-8")
+        file = self.write(robot)
         words = [self.path, "wcet", str(file), "--device-path", str(self.devices), "-o", str(file.with_suffix(".timing.json"))]
         answer = self.ask(words)
         return None if answer.returncode == 0 else answer.stdout + answer.stderr

@@ -5,6 +5,7 @@ import typing
 import faults
 import lines
 import stimuli
+import workshop
 
 #: Of a scenario: what happens in one of them is drawn, kept and changed together.
 SLOT_NS = 20_000_000
@@ -92,7 +93,7 @@ def field(draw):
 #: Beyond what a campaign moves, by the type of a device.
 WILD = {
     "h30_imu": wild_motion, "bmi088": wild_motion, "ist8310": field, "dr16": wild_hands, "sbus": wild_hands,
-    **dict.fromkeys(("dji_m3508", "dji_m2006", "dji_gm6020"), lambda draw: {"do": "disturb", "torque": draw.uniform(-20, 20)}),
+    **dict.fromkeys(workshop.MOTORS, lambda draw: {"do": "disturb", "torque": draw.uniform(-20, 20)}),
     "ms5837": lambda draw: {"do": "move", "pressure": draw.choice((0, 101_325, draw.uniform(0, 3_000_000)))},
 }
 

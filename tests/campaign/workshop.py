@@ -9,11 +9,11 @@ SHARE_OF_COMMON = 0.9
 #: The board has lines for 11 periods; up to three trees have one of their own. Two suit all types.
 MOST_PERIODS, ALWAYS_US = 8, (5000, 10000)
 
-#: Types whose parts on the emulated board give samples, and types whose outputs can be watched there.
-SAMPLED = {"h30_imu", "dr16", "sbus", "bmi088", "ist8310", "ms5837", "dji_m3508", "dji_m2006", "dji_gm6020", "gauge"}
-WATCHED = {"dji_m3508", "dji_m2006", "dji_gm6020", "pwm_servo", "pwm_esc", "gauge"}
-
 MOTORS = ("dji_m3508", "dji_m2006", "dji_gm6020")
+#: Types whose parts on the emulated board give samples, and types whose outputs can be watched there.
+SAMPLED = {"h30_imu", "dr16", "sbus", "bmi088", "ist8310", "ms5837", *MOTORS, "gauge"}
+WATCHED = {*MOTORS, "pwm_servo", "pwm_esc", "gauge"}
+
 #: Roles of a mixer; what is not here is one of its inputs.
 ROLES = {**dict.fromkeys(MOTORS, "motors"), "pwm_servo": "servos", "pwm_esc": "thrusters", "led": "lights",
          "buzzer": "sounders", "gauge": "gauges"}

@@ -22,6 +22,10 @@ struct ProbeRun : JudgedRun {
     }
     return true;
   }
+  /// The firmware's table holds this fault and nothing else.
+  [[nodiscard]] bool counts_only(const char* module, unsigned number, unsigned count) const {
+    return document["fault_counts"] == nlohmann::json{{{"module", module}, {"code", number}, {"count", count}}};
+  }
 };
 
 /// The robot, in a folder of its own: the device `p` every 20 ms, and others.

@@ -18,6 +18,10 @@ void check_no_reports(Board& board) {
 }
 
 /// How often RAM holds this word.
+/// Record of the fault table: module board, the fault, counted once.
+constexpr std::uint32_t kWatchdogCounted = 12U << 24 | 6U << 16 | 1, kBrownOutCounted = 12U << 24 | 7U << 16 | 1;
+constexpr std::uint32_t kResetFlags = 0x7FU << 25;  // RCC_CSR
+
 unsigned words_in_ram(Board& board, std::uint32_t wanted) {
   unsigned count = 0;
   const std::uint8_t* ram = board.cpu().memory(0x20000000, 0x20000);
@@ -142,7 +146,7 @@ TEST_CASE("a release timer that does not count is a fault, not a start that hang
   board.run_for(200'000'000);
   CHECK(board.stages().empty());
   CHECK(board.resets() >= 1);
-  CHECK((board.chip().rcc.read(0x74) & Rcc::kWatchdogReset) != 0);
+  CHECK(words_in_ram(board, kWatchdogCounted) == 1);
   const unsigned before = board.resets();
   board.world().system().systick().dead = false;
   board.run_for(200'000'000);
@@ -161,6 +165,25 @@ TEST_CASE("the watchdog resets a board whose releases have stopped, and the imag
     board.world().system().write(0xE000E010, 4, 0, board.world().now(), 0);  // SysTick off
     board.run_for(500'000'000);
     CHECK(board.resets() >= 1);
-    CHECK((board.chip().rcc.read(0x74) & Rcc::kWatchdogReset) != 0);
+    CHECK(words_in_ram(board, kWatchdogCounted) == 1);
   }
+}
+
+TEST_CASE("a start counts its own cause, and only one that nobody asked for") {
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
+  board.load(test_image("sample"));
+  const auto counted_behind = [&board](std::uint32_t cause) {
+    if (cause != 0) board.chip().rcc.note_reset(cause);
+    board.press_reset();
+    board.run_for(50'000'000);
+    CHECK((board.chip().rcc.read(0x74) & kResetFlags) == 0);
+    return std::pair{words_in_ram(board, kWatchdogCounted), words_in_ram(board, kBrownOutCounted)};
+  };
+  board.run_for(50'000'000);  // power-on, which sets the flag of the brown-out as well
+  CHECK(words_in_ram(board, kWatchdogCounted) + words_in_ram(board, kBrownOutCounted) == 0);
+  CHECK(counted_behind(Rcc::kWatchdogReset) == std::pair{1U, 0U});
+  CHECK(counted_behind(0) == std::pair{0U, 0U});
+  CHECK(counted_behind(Rcc::kWindowReset) == std::pair{1U, 0U});
+  CHECK(counted_behind(Rcc::kBrownOutReset) == std::pair{0U, 1U});
+  CHECK(counted_behind(Rcc::kSoftwareReset) == std::pair{0U, 0U});
 }

@@ -103,7 +103,7 @@ class Report(unittest.TestCase):
             for width in (1280, 390, 360):
                 page = self.open(name, width=width)
                 self.assertEqual(page.run("document.documentElement.scrollWidth"), width, f"{name} at {width}")
-                self.assertRegex(page.run("document.body.innerText.trim().split('\\n')[0]"), "keeps every deadline")
+                self.assertRegex(page.run("document.body.innerText.trim().split('\\n')[0]"), "meets every deadline")
 
     def test_a_page_without_script_shows_its_results(self):
         page = self.open("finsrov", script=False)

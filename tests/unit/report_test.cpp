@@ -124,10 +124,10 @@ TEST_CASE("the verdict is what the documents say") {
     return verdict_of(documents, "r");
   };
   using Look = Verdict::Look;
-  CHECK(verdict(R"({"schedulable":true,"requirements":[]})").text == "r keeps every deadline");
+  CHECK(verdict(R"({"schedulable":true,"requirements":[]})").text == "r meets every deadline");
   CHECK(verdict(R"({"schedulable":true,"requirements":[{"ok":true}]})").look == Look::good);
   CHECK(verdict(R"({"schedulable":true,"requirements":[{"ok":true},{"ok":false}]})").text ==
-        "r keeps every deadline, but fails 1 of 2 requirements");
+        "r meets every deadline, but fails 1 of 2 requirements");
   CHECK(verdict(R"({"schedulable":false,"profile":"tight","tight":{"buckets":[{"period_ns":1000000,"ok":true},)"
                 R"({"period_ns":2000000,"ok":false}]}})")
             .text == "r can miss a deadline: devices every 2 ms");
@@ -154,7 +154,7 @@ TEST_CASE("the verdict is what the documents say") {
         Look::good);
   const Verdict open = verdict(R"({"schedulable":true,"chains":[{"unbounded":[{"part":"acquire"}]},{}]})");
   CHECK(open.look == Look::open);
-  CHECK(open.text == "r keeps every deadline, but nothing bounds the age of commands in 1 of 2 chains");
+  CHECK(open.text == "r meets every deadline, but nothing bounds the age of commands in 1 of 2 chains");
 }
 
 TEST_CASE("a report says what kind of execution times it rests on") {

@@ -116,8 +116,7 @@ TEST_CASE("what comes by itself is as old as nobody knows where its type says th
   CHECK_FALSE(chain(timing, "own", "own").acquire);
   REQUIRE(timing.missing.size() == 1);
   CHECK(timing.missing.front().why ==
-        "some of what 'own' reads comes by itself, and its type says that it is asked for it ('polled'): not how "
-        "often it comes");
+        "'own' receives data that it has not asked for, but its type is 'polled' and does not say how often they come");
   CHECK_FALSE(chain(timing_of(kCan, R"(type="asked_and_told")"), "own", "own").acquire);
   CHECK(chain(timing_of(kCan, R"(type="asked_and_warned")"), "own", "own").acquire);
 }

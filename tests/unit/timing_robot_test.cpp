@@ -264,7 +264,7 @@ TEST_CASE("nothing has a bound over a bus where a device does not say what it se
   CHECK(chain(timing, "far", "far").end_to_end);
   REQUIRE(timing.missing.size() == 2);
   for (const MissingBound& missing : timing.missing) {
-    CHECK(missing.why == "anything may go over bus 'can': 'quiet' does not declare what it sends there ('frames')");
+    CHECK(missing.why == "the load of bus 'can' is unknown: 'quiet' does not declare what it sends there ('frames')");
     CHECK(missing.restored_by.empty());
   }
 }

@@ -1,4 +1,4 @@
-// What can go wrong when the chip starts: the numbers behind Module::board.
+// What can go wrong when the chip starts, and why it had to: the numbers behind Module::board.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,8 @@ enum class BoardFault : std::uint8_t {
   pll,           ///< the PLL does not lock
   clock_switch,  ///< the core does not change over to the PLL
   watchdog,      ///< the watchdog does not take its period
+  restarted,     ///< a watchdog restarted the board
+  brown_out,     ///< the supply sagged, and the board restarted
 };
 
 }  // namespace finemote::stm32f4

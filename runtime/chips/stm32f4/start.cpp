@@ -1,8 +1,10 @@
 // An STM32F4 as the runtime sees it: hardware start, cycle counter, text.
 #include "finemote/board.hpp"
+#include "finemote/fault.hpp"
 
 #include "board/resting_pins.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
+#include "runtime/chips/stm32f4/board_fault.hpp"
 #include "runtime/chips/stm32f4/clock.hpp"
 #include "runtime/chips/stm32f4/pin.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
@@ -27,6 +29,19 @@ void map_flash() {
 #endif
 }
 
+/// Counts a restart that nobody asked for, and makes the chip forget its cause, so that the next start sees its own. A
+/// sagging supply sets the flag of the brown-out alone, a supply that is switched on that of power-on too: RM0090 7.3.21.
+void count_unasked_restart() {
+  const std::uint32_t causes = stm32f4::rcc::csr.read();
+  stm32f4::rcc::csr.set(stm32f4::rcc::kCsrRemoveFlags);
+  if ((causes & (stm32f4::rcc::kCsrIwdgReset | stm32f4::rcc::kCsrWwdgReset)) != 0) {
+    count_fault(Module::board, static_cast<std::uint8_t>(stm32f4::BoardFault::restarted));
+  }
+  if ((causes & (stm32f4::rcc::kCsrBrownOut | stm32f4::rcc::kCsrPowerReset)) == stm32f4::rcc::kCsrBrownOut) {
+    count_fault(Module::board, static_cast<std::uint8_t>(stm32f4::BoardFault::brown_out));
+  }
+}
+
 /// Pins of parts on the board that must be quiet until somebody uses them, as its file says.
 void rest_onboard_parts() {
   for (const stm32f4::RestingPin& rest : stm32f4::kRestingPins) {
@@ -42,6 +57,7 @@ namespace board {
 
 void start_hardware() {
   map_flash();
+  count_unasked_restart();
   stm32f4::start_clock();
   rest_onboard_parts();
 }

@@ -2,3 +2,4 @@
 # Source: host.json
 set(FINEMOTE_BOARD_CHIPS )  # folders below runtime/chips; none: this computer
 set(FINEMOTE_BOARD_DEFINITIONS )  # FINEMOTE_SILENT: nobody reads text, a debugger reads the fault records
+set(FINEMOTE_BOARD_STANDS_IN ON)  # ON: it plays the robots of other boards

@@ -2,3 +2,4 @@
 # Source: qemu_f405.json
 set(FINEMOTE_BOARD_CHIPS cortex_m4)  # folders below runtime/chips; none: this computer
 set(FINEMOTE_BOARD_DEFINITIONS )  # FINEMOTE_SILENT: nobody reads text, a debugger reads the fault records
+set(FINEMOTE_BOARD_STANDS_IN ON)  # ON: it plays the robots of other boards

@@ -2,3 +2,4 @@
 # Source: robomaster_type_c.json
 set(FINEMOTE_BOARD_CHIPS stm32f4 cortex_m4)  # folders below runtime/chips; none: this computer
 set(FINEMOTE_BOARD_DEFINITIONS FINEMOTE_SILENT)  # FINEMOTE_SILENT: nobody reads text, a debugger reads the fault records
+set(FINEMOTE_BOARD_STANDS_IN OFF)  # ON: it plays the robots of other boards

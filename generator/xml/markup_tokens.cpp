@@ -1,33 +1,33 @@
-#include "generator/format/tokens.hpp"
+#include "generator/xml/markup_tokens.hpp"
 
 namespace finemote::gen {
 namespace {
 
 using Kind = MarkupToken::Kind;
 
-/// Behind `close`, searched from `from`; the end of the text when it is missing.
-std::size_t behind(std::string_view text, std::size_t from, std::string_view close) {
+/// Past `close`, searched from `from`; the end of the text when it is missing.
+std::size_t past(std::string_view text, std::size_t from, std::string_view close) {
   const std::size_t at = text.find(close, from);
   return at == std::string_view::npos ? text.size() : at + close.size();
 }
 
-/// Behind the `>` of the tag at `from`; quoted values may hold one.
-std::size_t behind_tag(std::string_view text, std::size_t from) {
+/// Past the `>` of the tag at `from`; quoted values may hold one.
+std::size_t end_of_tag(std::string_view text, std::size_t from) {
   for (std::size_t at = from; at < text.size(); ++at) {
     if (text[at] == '>') return at + 1;
-    if (text[at] == '"' || text[at] == '\'') at = behind(text, at + 1, text.substr(at, 1)) - 1;
+    if (text[at] == '"' || text[at] == '\'') at = past(text, at + 1, text.substr(at, 1)) - 1;
   }
   return text.size();
 }
 
-/// Behind the `>` of a document type, which may hold declarations in brackets.
-std::size_t behind_doctype(std::string_view text, std::size_t from) {
-  const std::size_t end = behind(text, from, ">");
+/// Past the `>` of a document type, which may hold declarations in brackets.
+std::size_t end_of_doctype(std::string_view text, std::size_t from) {
+  const std::size_t end = past(text, from, ">");
   const std::size_t bracket = text.find('[', from);
-  return bracket < end ? behind(text, behind(text, bracket, "]"), ">") : end;
+  return bracket < end ? past(text, past(text, bracket, "]"), ">") : end;
 }
 
-/// The attributes in the bytes of a tag behind its name.
+/// The attributes in the bytes of a tag after its name.
 std::vector<MarkupAttribute> attributes_in(std::string_view rest) {
   std::vector<MarkupAttribute> attributes;
   for (std::size_t at = rest.find_first_not_of(kBlanks); at < rest.size() && rest[at] != '/' && rest[at] != '>';
@@ -52,22 +52,22 @@ MarkupToken tag(std::string_view bytes) {
   return token;
 }
 
-MarkupToken token_at(std::string_view text, std::size_t at) {
+}  // namespace
+
+MarkupToken markup_token_at(std::string_view text, std::size_t at) {
   const std::string_view rest = text.substr(at);
   const auto token = [&](Kind kind, std::size_t end) { return MarkupToken{kind, text.substr(at, end - at), {}, {}}; };
   if (rest.front() != '<') return token(Kind::text, std::min(text.find('<', at), text.size()));
-  if (rest.starts_with("<!--")) return token(Kind::comment, behind(text, at, "-->"));
-  if (rest.starts_with("<![CDATA[")) return token(Kind::other, behind(text, at, "]]>"));
-  if (rest.starts_with("<?")) return token(Kind::other, behind(text, at, "?>"));
-  if (rest.starts_with("<!")) return token(Kind::other, behind_doctype(text, at));
-  return tag(text.substr(at, behind_tag(text, at) - at));
+  if (rest.starts_with("<!--")) return token(Kind::comment, past(text, at, "-->"));
+  if (rest.starts_with("<![CDATA[")) return token(Kind::other, past(text, at, "]]>"));
+  if (rest.starts_with("<?")) return token(Kind::other, past(text, at, "?>"));
+  if (rest.starts_with("<!")) return token(Kind::other, end_of_doctype(text, at));
+  return tag(text.substr(at, end_of_tag(text, at) - at));
 }
-
-}  // namespace
 
 std::vector<MarkupToken> markup_tokens(std::string_view text) {
   std::vector<MarkupToken> tokens;
-  for (std::size_t at = 0; at < text.size(); at += tokens.back().bytes.size()) tokens.push_back(token_at(text, at));
+  for (std::size_t at = 0; at < text.size(); at += tokens.back().bytes.size()) tokens.push_back(markup_token_at(text, at));
   return tokens;
 }
 

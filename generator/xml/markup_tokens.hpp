@@ -28,6 +28,9 @@ struct MarkupToken {
   std::vector<MarkupAttribute> attributes;  ///< of Kind::start and Kind::empty
 };
 
+/// The token that starts at `at` < text.size(), of well-formed XML; it points into `text`.
+MarkupToken markup_token_at(std::string_view text, std::size_t at);
+
 /// @param text  well-formed XML; the tokens point into it, and are all of it.
 std::vector<MarkupToken> markup_tokens(std::string_view text);
 
