@@ -39,7 +39,7 @@ std::string render_for_ci(Format format, const Diagnostics& findings, const std:
     case Format::github:
       return render_github(findings);
     case Format::sarif:
-      return render_sarif(findings, kVersion, input).dump(2) + "\n";
+      return document_text(render_sarif(findings, kVersion, input));
     default:
       return {};
   }

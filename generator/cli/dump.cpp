@@ -36,7 +36,7 @@ std::optional<Json> stage_json(DumpStage stage, const Input& input, const timing
 
 Answer answer_of(const Options& options, const Json& stage, const Diagnostics& diagnostics) {
   if (is_refused(options, diagnostics)) return no_answer();
-  return {kExitYes, stage.dump(2) + "\n"};
+  return {kExitYes, document_text(stage)};
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // finemote fmt: the <finemote> elements of a file in their canonical layout.
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/edited_file.hpp"
@@ -29,12 +31,20 @@ Answer answer_of(const Options& options, const SourceFile& file, const std::stri
   return answer;
 }
 
+/// Nothing is written over a file but XML.
+void insist_on_xml(const SourceFile& file, const std::string& text) {
+  const SourceFile made{file.name, file.path, text};
+  Diagnostics unseen;
+  if (!xml::parse(made, unseen)) throw std::logic_error("the layout of '" + file.name + "' would be no XML");
+}
+
 }  // namespace
 
 Answer run_fmt(const Options& options, Sources& sources, Diagnostics& diagnostics) {
   const SourceFile* file = xml::read_source(options.input, sources, diagnostics);
   if (file == nullptr || !xml::parse(*file, diagnostics)) return no_answer();
   const std::string text = formatted(file->text);
+  insist_on_xml(*file, text);
   const bool is_written = options.input != "-" && !options.dry_run && text != file->text;
   if (is_written) {
     const auto mark = mark_before(*file, sources, diagnostics);

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <exception>
 #include <optional>
+#include <set>
+#include <utility>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -176,13 +178,11 @@ std::optional<SchemaViolation> reword(const valijson::ValidationResults::Error& 
 
 std::vector<SchemaViolation> collect(valijson::ValidationResults& results) {
   std::vector<SchemaViolation> all;
+  std::set<std::pair<JsonPath, std::string>> known;
   valijson::ValidationResults::Error error;
   while (results.popError(error)) {
     auto violation = reword(error);
-    const bool is_known = violation && std::any_of(all.begin(), all.end(), [&](const SchemaViolation& other) {
-                            return other.path == violation->path && other.words == violation->words;
-                          });
-    if (violation && !is_known) all.push_back(std::move(*violation));
+    if (violation && known.emplace(violation->path, violation->words).second) all.push_back(std::move(*violation));
   }
   if (all.empty()) all.push_back({{}, "it does not match the schema", false, false, {}, {}, {}});
   return all;
@@ -212,10 +212,13 @@ std::vector<SchemaMistake> check_schema(const Json& value, const std::string& sc
   valijson::Validator validator;
   valijson::ValidationResults results;
   if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(plain), &results)) return {};
+  constexpr std::size_t kMostShown = 100;  // each is looked for from the beginning of the file
   const Origin own_text(*origin.layers().front());
   std::vector<SchemaMistake> mistakes;
   for (SchemaViolation& violation : collect(results)) {
     add_advice(violation, SchemaView(schema_json), plain);
+    mistakes.push_back({violation.path, violation.is_unknown, violation.meant});
+    if (mistakes.size() > kMostShown) continue;
     const Origin& shown_in = violation.is_missing ? own_text : origin;  // the file itself could have what is missing
     const Extent extent = find_value(shown_in, violation.path);
     Diagnostic& finding =
@@ -223,7 +226,7 @@ std::vector<SchemaMistake> check_schema(const Json& value, const std::string& sc
     finding.underline(extent.length);
     if (!violation.note.empty()) finding.note(violation.note);
     if (!violation.hint.empty()) finding.hint(violation.hint);
-    mistakes.push_back({violation.path, violation.is_unknown, violation.meant});
+    if (mistakes.size() == kMostShown) finding.note("further mistakes of this file are not shown");
   }
   return mistakes;
 }

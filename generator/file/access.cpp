@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <filesystem>
 #include <string_view>
 
@@ -185,6 +186,7 @@ bool Access::is_there(const std::string& path) const {
 /// outside.
 void Access::add_matches(const std::string& begun, std::size_t next, Matching& matching) const {
   const auto& parts = matching.parts;
+  if (begun.size() >= PATH_MAX) return;  // the system opens no longer one
   if (next == parts.size()) {
     if (is_there(begun)) matching.files.push_back(begun);
     return;

@@ -157,6 +157,7 @@ void read_all(Reading& reading) {
   read_buses(reading);
   read_expanders(reading);
   read_devices(reading);
+  check_headers(reading);
   check_names(reading);
   resolve_parents(reading);
   resolve_roles(reading);

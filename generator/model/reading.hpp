@@ -66,6 +66,7 @@ void read_board_tag(Reading& reading);                       // board_tag.cpp
 void read_buses(Reading& reading);                           // buses.cpp
 void read_expanders(Reading& reading);                       // expanders.cpp
 void read_devices(Reading& reading);                         // devices.cpp: what each device says of itself
+void check_headers(Reading& reading);                        // headers.cpp
 void check_names(Reading& reading);                          // name_check.cpp
 void resolve_parents(Reading& reading);                      // parents.cpp: the forest and inherited periods
 void resolve_roles(Reading& reading);                        // roles.cpp: children and reads to roles

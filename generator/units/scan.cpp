@@ -22,7 +22,10 @@ std::size_t number_length(std::string_view text) {
 std::string shown(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   if (text.size() <= kLongest) return std::string(text);
-  return std::string(text.substr(0, kLongest)) + "...";
+  const auto is_inside_letter = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };
+  std::size_t end = kLongest;
+  while (end > 0 && is_inside_letter(end)) --end;  // UTF-8
+  return std::string(text.substr(0, end)) + "...";
 }
 
 Fault too_large(std::string_view text) {

@@ -8,11 +8,19 @@
 #include "generator/xacro/expander.hpp"
 #include "generator/xacro/limits.hpp"
 #include "generator/xacro/tag.hpp"
+#include "generator/xml/characters.hpp"
 
 namespace finemote::gen::xacro {
 namespace {
 
 constexpr std::size_t kIncludeSteps = 500;  // the system is asked for the file each time
+
+/// A computed name of an element or attribute.
+void insist_on_name(const xml::Node& tag, const std::string& name, const Position& at) {
+  if (name.empty()) throw Failure{code::xacro_attribute, tag.name + ": empty name", at};
+  if (!xml::is_name(name))
+    throw Failure{code::xacro_no_xml, fmt::format("{}: '{}' cannot be a name in XML", tag.name, printable(name)), at};
+}
 
 [[noreturn]] void fail_block(const std::string& name, const Context& context, const Position& at) {
   std::vector<std::string> blocks;
@@ -75,7 +83,7 @@ void Expander::expand_renamed(const Node& source, const Context& context, Sink& 
   const Position at = context.place(name.value_at);
   Node renamed = source;
   renamed.name = evaluator_.text_of(name.value, at, *context.scope);
-  if (renamed.name.empty()) throw Failure{code::xacro_attribute, "xacro:element: empty name", at};
+  insist_on_name(source, renamed.name, at);
   std::erase_if(renamed.attributes, [](const xml::Attribute& a) { return a.name == "xacro:name"; });
   trail_.count("too many macro calls", at);
   renamed_.push_back(std::move(renamed));
@@ -92,7 +100,8 @@ void Expander::expand_attribute(const Node& source, const Context& context, Sink
   attribute.value_at = context.place(value.value_at);
   attribute.name = evaluator_.text_of(name.value, attribute.at, *context.scope);
   attribute.value = evaluator_.text_of(value.value, attribute.value_at, *context.scope);
-  if (attribute.name.empty()) throw Failure{code::xacro_attribute, "xacro:attribute: empty name", attribute.at};
+  insist_on_name(source, attribute.name, attribute.at);
+  insist_on_characters(attribute.value, attribute.value_at);
   set_attribute(out.element, std::move(attribute));
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "generator/xacro/limits.hpp"
+#include "generator/xml/characters.hpp"
+#include "generator/xml/write.hpp"
 
 namespace finemote::gen::xacro {
 namespace {
@@ -16,7 +18,8 @@ Level Output::enter_element(const Position& at) {
 }
 
 void Output::add(xml::Node node, const Sink& to) {
-  size_ += node.name.size() + node.text.size() + kNodeCost;
+  const std::size_t indents = 2 * xml::kIndentStep.size() * depth_;  // of its first line and its last
+  size_ += node.name.size() + node.text.size() + indents + kNodeCost;
   if (size_ > kMaxOutput) {
     throw Failure{code::xacro_limit, fmt::format("the output is larger than {} MiB", kMaxOutput >> 20), node.at};
   }
@@ -26,6 +29,11 @@ void Output::add(xml::Node node, const Sink& to) {
 void Output::add(xml::Attribute attribute, xml::Node& element) {
   size_ += attribute.name.size() + attribute.value.size() + kNodeCost;
   element.attributes.push_back(std::move(attribute));
+}
+
+void insist_on_characters(std::string_view text, const Position& at) {
+  if (!xml::are_characters(text))
+    throw Failure{code::xacro_no_xml, "the text has a control character, which XML cannot hold", at};
 }
 
 void set_attribute(xml::Node& element, xml::Attribute attribute) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "generator/xacro/comments.hpp"
 #include "generator/xacro/engine.hpp"
@@ -27,6 +28,9 @@ class Output {
   std::size_t size_ = 0;        // bytes
   std::size_t depth_ = 0;
 };
+
+/// Fails where a computed text holds a character that no XML document may.
+void insist_on_characters(std::string_view text, const Position& at);
 
 /// Sets an attribute, in the place of an old one of that name.
 void set_attribute(xml::Node& element, xml::Attribute attribute);

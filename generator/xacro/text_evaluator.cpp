@@ -78,7 +78,17 @@ Value TextEvaluator::evaluate(const Text& text, const Subject& subject) {
   return evaluate_piece(text.pieces[0], subject);
 }
 
+/// A limit that strikes while values become text has no place of its own.
 std::string TextEvaluator::joined(const Text& text, const Subject& subject) {
+  try {
+    return pieces_of(text, subject);
+  } catch (Failure& failure) {
+    if (failure.at.file == nullptr) failure.at = subject.at;
+    throw;
+  }
+}
+
+std::string TextEvaluator::pieces_of(const Text& text, const Subject& subject) {
   if (text.pieces.size() == 1) return to_text(runtime_, evaluate(text, subject));
   check_piece(text, 0, subject);
   std::string joined;

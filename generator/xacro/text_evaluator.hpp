@@ -50,6 +50,7 @@ class TextEvaluator : private expression::Names {
   const Text& cut_of(const std::string& text);
   Value evaluate(const Text& text, const Subject& subject);
   std::string joined(const Text& text, const Subject& subject);
+  std::string pieces_of(const Text& text, const Subject& subject);
   static void check_piece(const Text& text, std::size_t i, const Subject& subject);
   Value evaluate_piece(const Piece& piece, const Subject& subject);
   std::string inner_of(const Piece& piece, const Subject& subject);

@@ -20,11 +20,24 @@ std::size_t end_of_tag(std::string_view text, std::size_t from) {
   return text.size();
 }
 
-/// Past the `>` of a document type, which may hold declarations in brackets.
+/// Past the `>` of a document type, which may hold declarations in brackets, comments and quoted values.
 std::size_t end_of_doctype(std::string_view text, std::size_t from) {
-  const std::size_t end = past(text, from, ">");
-  const std::size_t bracket = text.find('[', from);
-  return bracket < end ? past(text, past(text, bracket, "]"), ">") : end;
+  bool is_inside = false;  // the brackets
+  for (std::size_t at = from + 2; at < text.size();) {
+    const std::string_view rest = text.substr(at);
+    if (rest.starts_with("<!--")) {
+      at = past(text, at, "-->");
+    } else if (rest.starts_with("<?")) {
+      at = past(text, at, "?>");
+    } else if (rest.front() == '"' || rest.front() == '\'') {
+      at = past(text, at + 1, rest.substr(0, 1));
+    } else {
+      if (rest.front() == '>' && !is_inside) return at + 1;
+      if (rest.front() == '[' || rest.front() == ']') is_inside = rest.front() == '[';
+      ++at;
+    }
+  }
+  return text.size();
 }
 
 /// The attributes in the bytes of a tag after its name.

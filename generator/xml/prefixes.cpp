@@ -1,7 +1,5 @@
 #include "generator/xml/prefixes.hpp"
 
-#include <algorithm>
-
 namespace finemote::gen::xml {
 namespace {
 
@@ -23,7 +21,7 @@ std::string_view check_declaration(std::string_view prefix, std::string_view uri
 }  // namespace
 
 bool Prefixes::is_declared(std::string_view prefix) const {
-  return prefix == "xml" || std::find(declared_.rbegin(), declared_.rend(), prefix) != declared_.rend();
+  return prefix == "xml" || in_force_.contains(std::string(prefix));
 }
 
 std::string_view Prefixes::check_name(std::string_view name) const {
@@ -42,6 +40,7 @@ std::string_view Prefixes::enter(const Node& element) {
     const std::string_view prefix = std::string_view(a.name).substr(kDeclaration.size());
     if (const auto wrong = check_declaration(prefix, a.value); !wrong.empty()) return wrong;
     declared_.emplace_back(prefix);
+    in_force_.emplace(prefix);
   }
   if (const auto wrong = check_name(element.name); !wrong.empty()) return wrong;
   for (const Attribute& a : element.attributes) {
@@ -52,7 +51,8 @@ std::string_view Prefixes::enter(const Node& element) {
 }
 
 void Prefixes::leave() {
-  declared_.resize(open_sizes_.back());
+  for (; declared_.size() > open_sizes_.back(); declared_.pop_back())
+    in_force_.erase(in_force_.find(declared_.back()));
   open_sizes_.pop_back();
 }
 

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "generator/xml/node.hpp"
@@ -20,6 +21,7 @@ class Prefixes {
   [[nodiscard]] std::string_view check_name(std::string_view name) const;
 
   std::vector<std::string> declared_;    // innermost last
+  std::unordered_multiset<std::string> in_force_;  // the same
   std::vector<std::size_t> open_sizes_;  // declared_.size() before each open element
 };
 

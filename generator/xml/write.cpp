@@ -9,8 +9,6 @@
 namespace finemote::gen::xml {
 namespace {
 
-constexpr std::string_view kIndentStep = "  ";
-
 class Writer {
  public:
   explicit Writer(std::string& out, std::string_view indent) : out_(out), indent_(indent) {}

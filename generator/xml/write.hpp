@@ -8,6 +8,8 @@
 
 namespace finemote::gen::xml {
 
+inline constexpr std::string_view kIndentStep = "  ";  ///< per level
+
 /// The document with XML declaration: two blanks per level, attributes sorted by name, text of white space alone left
 /// out, an element whose only child is text on one line, every other text on lines of its own.
 ///

@@ -233,6 +233,20 @@ TEST_CASE_METHOD(Fixture, "an attitude that comes back is held as it is: its yaw
   bench::run(3 * kSecond);
 }
 
+TEST_CASE_METHOD(Fixture, "a depth that comes back is turned against as it is, not by errors that were summed meanwhile") {
+  send(500 * kMillisecond, "ONH:450");  // 0.15 m too high
+  std::uint32_t before = 0;
+  bench::at(990 * kMillisecond, [&] { before = pca.pulse(4); });
+  bench::at(1 * kSecond, [&] { baro[2].silent = true; });
+  bench::at(3900 * kMillisecond, [&] { CHECK(neutral()); });
+  bench::at(4 * kSecond, [&] { baro[2].silent = false; });
+  bench::at(4400 * kMillisecond, [&] {
+    CHECK(before != kNeutral);
+    CHECK(static_cast<double>(pca.pulse(4)) == Approx(before).margin(20000));
+  });
+  bench::run(4500 * kMillisecond);
+}
+
 TEST_CASE_METHOD(Fixture, "one pressure sensor that falls silent, NACKs or disturbs stops them too") {
   send(500 * kMillisecond, "ONH:900");
   const int fault = GENERATE(0, 1, 2);

@@ -10,6 +10,7 @@ namespace finemote {
 namespace board {
 
 void start_hardware() {}
+bool restarted_unasked() { return false; }
 void start_watchdog(Duration) {}
 void feed_watchdog() {}
 void say(const char* text) {

@@ -23,6 +23,24 @@ constexpr std::uint32_t kLongestStart = cortex_m4::kCoreHz / 10;
 /// The same where cycles are not counted: a poll takes 30 cycles at least.
 constexpr std::uint32_t kStartPolls = kLongestStart / 30;
 
+/// Why the robot stopped safely. Not zeroed at start: a stop outlasts restarts that nobody asked for.
+struct LastStop {
+  std::uint32_t magic;  // kStopMagic when the rest is meant
+  Module module;
+  std::uint8_t number;
+};
+constexpr std::uint32_t kStopMagic = 0x53544F50;
+__attribute__((section(".noinit"))) LastStop last_stop;
+
+/// Stops again where the robot had stopped before the watchdog, or a sagging supply, restarted the board.
+void stay_stopped(bool restarted_unasked) {
+  const bool had_stopped = last_stop.magic == kStopMagic;
+  last_stop.magic = 0;
+  if (restarted_unasked && had_stopped) {
+    stop_safely(last_stop.module, last_stop.number, FINEMOTE_TEXT("restarted after a safe stop"));
+  }
+}
+
 /// The first job finds quiet buses: what the start-up sent, safe outputs among it, is over.
 void settle(const Schedule& schedule) {
   if (schedule.buses_quiet == nullptr) return;
@@ -38,6 +56,7 @@ void settle(const Schedule& schedule) {
 void stop_safely(Module module, std::uint8_t number, const char* text) {
   cortex_m4::mask_from(cortex_m4::kReleasePriority);
   count_fault(module, number);
+  last_stop = {kStopMagic, module, number};
   detail::set_stopped(true);
   if (detail::outputs_started()) finemote_schedule.safe_outputs();
   board::say(text);
@@ -55,6 +74,7 @@ int main() {
   using namespace finemote;
   cortex_m4::start_guards();
   board::start_hardware();
+  const bool restarted_unasked = board::restarted_unasked();
   cortex_m4::start_cycles(0);  // bus start-up measures its bounded waits with it
   detail::start_robot(finemote_schedule, kTimer);
   settle(finemote_schedule);
@@ -63,5 +83,6 @@ int main() {
   if (cortex_m4::restarted_by_fault(fault)) {
     stop_safely(Module::core, static_cast<std::uint8_t>(fault), FINEMOTE_TEXT("restarted after a processor fault"));
   }
+  stay_stopped(restarted_unasked);
   cortex_m4::idle();
 }

@@ -29,19 +29,6 @@ void map_flash() {
 #endif
 }
 
-/// Counts a restart that nobody asked for, and makes the chip forget its cause, so that the next start sees its own. A
-/// sagging supply sets the flag of the brown-out alone, a supply that is switched on that of power-on too: RM0090 7.3.21.
-void count_unasked_restart() {
-  const std::uint32_t causes = stm32f4::rcc::csr.read();
-  stm32f4::rcc::csr.set(stm32f4::rcc::kCsrRemoveFlags);
-  if ((causes & (stm32f4::rcc::kCsrIwdgReset | stm32f4::rcc::kCsrWwdgReset)) != 0) {
-    count_fault(Module::board, static_cast<std::uint8_t>(stm32f4::BoardFault::restarted));
-  }
-  if ((causes & (stm32f4::rcc::kCsrBrownOut | stm32f4::rcc::kCsrPowerReset)) == stm32f4::rcc::kCsrBrownOut) {
-    count_fault(Module::board, static_cast<std::uint8_t>(stm32f4::BoardFault::brown_out));
-  }
-}
-
 /// Pins of parts on the board that must be quiet until somebody uses them, as its file says.
 void rest_onboard_parts() {
   for (const stm32f4::RestingPin& rest : stm32f4::kRestingPins) {
@@ -57,9 +44,21 @@ namespace board {
 
 void start_hardware() {
   map_flash();
-  count_unasked_restart();
   stm32f4::start_clock();
   rest_onboard_parts();
+}
+
+/// The flags stay until they are removed, so that every start sees its own cause: RM0090 7.3.21. A sagging supply sets
+/// that of the brown-out alone, one that is switched on that of power-on too.
+bool restarted_unasked() {
+  using namespace stm32f4;
+  const std::uint32_t causes = rcc::csr.read();
+  rcc::csr.set(rcc::kCsrRemoveFlags);
+  const bool by_watchdog = (causes & (rcc::kCsrIwdgReset | rcc::kCsrWwdgReset)) != 0;
+  const bool by_supply = (causes & (rcc::kCsrBrownOut | rcc::kCsrPowerReset)) == rcc::kCsrBrownOut;
+  if (by_watchdog) count_fault(Module::board, static_cast<std::uint8_t>(BoardFault::restarted));
+  if (by_supply) count_fault(Module::board, static_cast<std::uint8_t>(BoardFault::brown_out));
+  return by_watchdog || by_supply;
 }
 
 void say(const char*) {}  // nobody listens: a debugger reads the fault records

@@ -11,6 +11,10 @@ namespace finemote::board {
 /// Clocks, power, flash: everything before the first bus. Called once, first thing in main. Bounded waits only.
 void start_hardware();
 
+/// Whether a watchdog or a sagging supply restarted the board, which it then counts as a fault. Called once, after
+/// start_hardware(). False on a board that cannot tell.
+bool restarted_unasked();
+
 /// Starts a watchdog that resets the board when not fed for clearly longer than `longest_gap`, even with its slowest
 /// clock reading fast. Called once, just before the first release. A board without a watchdog does nothing.
 void start_watchdog(Duration longest_gap);
