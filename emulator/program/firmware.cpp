@@ -26,12 +26,15 @@ std::vector<std::uint32_t> overruns_of(Board& board, const Image& image) {
 
 Json faults_of(Board& board, const Image& image) {
   constexpr const char* kRecords = "_ZN8finemote12_GLOBAL__N_17recordsE";
+  constexpr const char* kLost = "_ZN8finemote12_GLOBAL__N_14lostE";  // of kinds that found no record
   Json all = Json::array();
   const auto records = image.symbol(kRecords);
   for (std::uint32_t offset = 0; records && offset + 4 <= records->size; offset += 4) {
     const std::uint32_t word = board.word(kRecords, offset);
     if (word != 0) all.push_back(Json::array({word >> 24, word >> 16 & 0xFF, word & 0xFFFF}));
   }
+  const std::uint32_t lost = image.symbol(kLost) ? board.word(kLost, 0) : 0;
+  if (lost != 0) all.push_back(Json::array({0, 0, lost}));
   return all;
 }
 

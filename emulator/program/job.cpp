@@ -95,12 +95,13 @@ std::optional<BringUp> bring_up(Board& board, const Image& image, const Outfit& 
     return std::all_of(awaited.begin(), awaited.end(), [&](const Awaited& a) { return a.first_ns(outfit); });
   };
   const auto is_before = [&](std::int64_t time) { return static_cast<std::int64_t>(board.now_ns()) < time; };
-  while (is_before(zero + least) || (!all_seen() && is_before(last))) {
-    if (board.run_for(kStep) != Stop::time) return std::nullopt;
-  }
   BringUp result;
   result.end_ns = least;
   result.faults = faults_of(board, image);
+  while (is_before(zero + least) || (!all_seen() && is_before(last))) {
+    result.faults = faults_of(board, image);  // it ends within the step: what comes in that one may come behind the end
+    if (board.run_for(kStep) != Stop::time) return std::nullopt;
+  }
   for (const Awaited& a : awaited) {
     const auto first = a.first_ns(outfit);
     const std::int64_t end = first ? std::min(static_cast<std::int64_t>(*first), last) : last;
@@ -295,9 +296,9 @@ class ForgottenOverruns {
   std::vector<std::uint32_t> before_;
 };
 
-/// Lets the board run up to `end` [ns since power-on]. `undisturbed` becomes what was counted before the first event
-/// that violates an assumption; it stays null where there is none, or where it has happened before.
-Stop run_to_end(Bench& bench, std::int64_t end, const TrafficCount& traffic, Json& undisturbed) {
+/// Lets the board run up to `end`. `undisturbed` becomes what was counted before the first event that violates an
+/// assumption; it stays null where there is none, or where it came before `ready`. Both times in ns since power-on.
+Stop run_to_end(Bench& bench, std::int64_t ready, std::int64_t end, const TrafficCount& traffic, Json& undisturbed) {
   Board& board = bench.board;
   Stop stop = Stop::time;
   const auto run_to = [&](std::int64_t time) {
@@ -305,7 +306,7 @@ Stop run_to_end(Bench& bench, std::int64_t end, const TrafficCount& traffic, Jso
     if (rest > 0 && stop == Stop::time) stop = board.run_for(static_cast<std::uint64_t>(rest));
   };
   const std::int64_t disturbed = bench.outfit.violated_from_ns().value_or(end);
-  if (disturbed > static_cast<std::int64_t>(board.now_ns()) && disturbed < end) {
+  if (disturbed > ready && disturbed < end) {
     run_to(disturbed);
     undisturbed = counted_in(board, bench.image, traffic);
   }
@@ -333,7 +334,7 @@ Json run(Bench& bench, const Json& job) {
     const std::int64_t end = *zero + judged_to + 1;  // what is due at the last moment happens
     series.emplace(board, outfit, static_cast<std::int64_t>(board.now_ns()), end);
     traffic.emplace(board, job.at("ports").get<std::vector<std::string>>());
-    stop = run_to_end(bench, end, *traffic, undisturbed);
+    stop = run_to_end(bench, *zero + ready->end_ns, end, *traffic, undisturbed);
   }
   if (!ready || stop != Stop::time) {
     return {{"stop", text_of(stop)},

@@ -26,8 +26,6 @@ void add_image(const ImageFacts& image, Facts& facts) {
                                 {"proven stack", image.stack ? fmt::format("{} B", *image.stack) : "without bound"}};
 }
 
-Json json_of(const std::optional<ImageFacts>& image) {
-  return image ? sizes_json(*image) : Json(nullptr);
-}
+Json json_of(const std::optional<ImageFacts>& image) { return image ? sizes_json(*image) : Json(nullptr); }
 
 }  // namespace finemote::gen

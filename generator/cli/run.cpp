@@ -101,6 +101,16 @@ std::optional<bool> repeat_verdict(const Analysis& analysis, Diagnostics& diagno
   return verdict ? std::optional(verdict->schedulable) : std::nullopt;
 }
 
+/// The same of the image with its trace and monitor, which no generated file rests on.
+std::optional<bool> with_instruments(std::optional<bool> schedulable, const std::optional<timing::Timing>& image,
+                                     Diagnostics& diagnostics) {
+  if (!schedulable.value_or(false) || !image || image->schedulable) return schedulable;
+  diagnostics.warning(
+      code::timing_unschedulable, timing::at_first_device(image->model),
+      "with its trace or monitor the robot may miss deadlines: see finemote analyze with the same option");
+  return false;
+}
+
 /// What is run, and the loops whose passes are counted.
 struct WatchedImage {
   const ProvenImage& image;
@@ -130,8 +140,14 @@ std::optional<RunRecord> run_image(const WatchedImage& watched, const PlannedRob
 struct Runs {
   RunRecord record;
   RunFigures figures;
+  OrderVerdict order;
   std::string audit;  ///< empty where it was not asked for
 };
+
+void merge(OrderVerdict& all, const OrderVerdict& more) {
+  all.is_judged |= more.is_judged;
+  if (!all.mistake) all.mistake = more.mistake;
+}
 
 /// One run without phases, or as many as were asked for.
 std::optional<Runs> run_phases(const WatchedImage& watched, const PlannedRobot& planned, const RunSetup& setup,
@@ -153,11 +169,13 @@ std::optional<Runs> run_phases(const WatchedImage& watched, const PlannedRobot& 
     }
     RunFigures figures = figures_of(planned.robot, planned.forest, planned.schedule, timing ? &*timing : nullptr,
                                     *record, setup.is_emulated());
+    OrderVerdict order = judge_order(planned.robot, planned.schedule, *record);
     if (!all) {
-      all = Runs{std::move(*record), std::move(figures), {}};
+      all = Runs{std::move(*record), std::move(figures), std::move(order), {}};
     } else {
       merge(all->record, *record);
       merge(all->figures, figures);
+      merge(all->order, order);
     }
   }
   leave_out_others(planned.robot, all->figures.chains);
@@ -180,7 +198,6 @@ void judge(const PlannedRobot& planned, const std::optional<timing::Timing>& tim
     result.traffic_holds = check_pin_edges(result.figures.pins, judged) && bus_traffic_holds;
   }
   result.wcets = measured_wcets(robot, result.record);
-  result.order = judge_order(robot, planned.schedule, result.record);
 }
 
 /// What was run, and what it left behind.
@@ -277,13 +294,14 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (!image) return no_answer();
   if (options.build_only) return answer_of_build(image->facts, setup->board.name);
 
-  const auto schedulable = repeat_verdict(prepared->analysis, diagnostics);
+  const auto schedulable = with_instruments(repeat_verdict(prepared->analysis, diagnostics), image_timing, diagnostics);
   const FaultTable faults = load_fault_table(input->data_dir);
   WatchedImage watched = watch_loops(*image, *input, setup->is_emulated(), diagnostics);
   auto runs = run_phases(watched, *planned, *setup, faults, options, image_timing, progress, diagnostics);
   if (!runs) return no_answer();
   if (!options.audit.empty() && !write_result(options.audit, runs->audit, diagnostics)) return no_answer();
   RunResult result = result_of(*planned, *setup, image->facts, std::move(*runs), faults);
+  result.order = std::move(runs->order);
   result.phases = std::max<std::uint64_t>(options.phases, 1);
   result.seed = options.phases == 0 ? 0 : options.seed;
   if (options.monitor) result.bounds = std::move(prepared->proven.monitored);

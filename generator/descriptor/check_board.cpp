@@ -147,8 +147,8 @@ class BoardCheck {
       const JsonPath path{"ports", std::to_string(i), "period_ns"};
       if (port.period < runtime_limits::kShortestPwmPeriod || port.period > runtime_limits::kLongestPwmPeriod)
         contradiction(path, fmt::format("port '{}': pulses repeat every {} to {}", port.name,
-                                        spaced_duration(runtime_limits::kShortestPwmPeriod),
-                                        spaced_duration(runtime_limits::kLongestPwmPeriod)));
+                                        units::spaced_duration(runtime_limits::kShortestPwmPeriod),
+                                        units::spaced_duration(runtime_limits::kLongestPwmPeriod)));
       if (!port.timer) continue;
       const Port& first = *timers.emplace(port.timer->timer, &port).first->second;
       if (first.period != port.period) {

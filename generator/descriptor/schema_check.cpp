@@ -205,8 +205,7 @@ std::vector<SchemaMistake> check_schema(const Json& value, const std::string& sc
   try {
     valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
   } catch (const std::exception&) {  // all that valijson says of a schema that is none
-    diagnostics.error(code::data_not_found, {}, "a JSON Schema in the data folder is damaged")
-        .hint(kInstallAgain);
+    diagnostics.error(code::data_not_found, {}, "a JSON Schema in the data folder is damaged").hint(kInstallAgain);
     return {SchemaMistake{}};
   }
   valijson::Validator validator;

@@ -48,7 +48,7 @@ inline constexpr Code xacro_condition{1026};          // if or unless with a val
 inline constexpr Code xacro_include{1027};            // an included file cannot be read
 inline constexpr Code xacro_yaml{1028};               // a YAML file cannot be read or parsed
 inline constexpr Code xacro_output{1029};             // the expanded file cannot be written
-inline constexpr Code xacro_no_xml{1030};              // the result could not be read as XML
+inline constexpr Code xacro_no_xml{1030};             // the result could not be read as XML
 inline constexpr Code xacro_unknown_attribute{1050};  // warning: a xacro tag does not know the attribute
 inline constexpr Code xacro_redefined_symbol{1051};   // warning: a property hides a built-in
 inline constexpr Code xacro_deprecated{1052};         // warning: a function has moved into a namespace

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "generator/xml/markup_tokens.hpp"
 #include "generator/model/grammar.hpp"
+#include "generator/xml/markup_tokens.hpp"
 
 namespace finemote::gen {
 namespace {

@@ -24,7 +24,8 @@ std::vector<Use> user_types(const Reading& reading) {
     if (type != nullptr && at != nullptr && !type->include_dir.empty())
       uses.push_back({at, at->value, type->include, type->include_dir});
   };
-  for (const DeviceId i : reading.robot.devices.ids()) add(reading.device_tag(i), "type", reading.robot.devices[i].type);
+  for (const DeviceId i : reading.robot.devices.ids())
+    add(reading.device_tag(i), "type", reading.robot.devices[i].type);
   for (const ExpanderId i : reading.robot.expanders.ids())
     add(*reading.tags.expanders[i], "model", reading.robot.expanders[i].type);
   return uses;
@@ -37,8 +38,7 @@ void check_headers(Reading& reading) {
   std::set<std::string> reported;    // types
   for (const Use& use : user_types(reading)) {
     const auto [known, is_new] = first.emplace(use.include, use);
-    if (is_new || known->second.include_dir == use.include_dir || !reported.insert(use.type).second)
-      continue;
+    if (is_new || known->second.include_dir == use.include_dir || !reported.insert(use.type).second) continue;
     at_value(reading.diagnostics, code::descriptor_contradiction, *use.at,
              fmt::format("types '{}' and '{}' have different headers of the same name '{}'", known->second.type,
                          use.type, use.include))

@@ -93,7 +93,8 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
   const ProcessResult result = run_process(command, kLongestBuild, build_environment());
   if (result.started && !result.timed_out && result.exit_status == 0) return true;
   if (!result.started) {
-    report_not_started(command.front(), fmt::format("install it, for example: apt-get install cmake ninja-build {}", kArmPackages),
+    report_not_started(command.front(),
+                       fmt::format("install it, for example: apt-get install cmake ninja-build {}", kArmPackages),
                        diagnostics);
     return false;
   }

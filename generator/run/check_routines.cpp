@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/image/exception.hpp"
 #include "generator/run/pin_lines.hpp"
 #include "generator/tasks/robot_buses.hpp"
+#include "generator/timing/analyse.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -23,10 +25,13 @@ Duration longest_of(const RunRecord& record, std::uint32_t exception) {
 /// What a run may take that the model says takes this long: entry and exit are in what was seen.
 bool is_above(Duration seen, Duration wcet, const timing::Model& model) { return seen > wcet + model.costs.interrupt; }
 
-/// Frames that one run may receive, of which each counts as a run: as many as a mailbox of bxCAN keeps (RM0090 32.7.4).
+/// Frames that a mailbox of bxCAN keeps: RM0090 32.7.4.
+constexpr std::int64_t kMailbox = 3;
+
+/// Frames that one run may receive, of which each counts as a run.
 std::int64_t frames_at_once(const Bus& bus, const InterruptLine& line) {
   const bool receives = line.name.find("_RX") != std::string::npos;
-  return receives && bus_type(bus.kind).is_arbitrated ? 3 : 1;
+  return receives && bus_type(bus.kind).is_arbitrated ? kMailbox : 1;
 }
 
 bool check_bus(const Bus& bus, const Port& port, const timing::Model& model, const RunRecord& record,
@@ -44,6 +49,50 @@ bool check_bus(const Bus& bus, const Port& port, const timing::Model& model, con
         .hint("leave isr_wcet out: then the figures of the driver count");
   }
   return holds;
+}
+
+/// What one run of a routine of the bus counts for at most.
+Duration longest_counted(const timing::Bus& bus) {
+  const std::int64_t at_once = bus.arbitrated ? kMailbox : 1;
+  if (!bus.sources) return at_once * bus.wcet;
+  Duration longest;
+  for (const timing::InterruptSource& source : *bus.sources)
+    longest = std::max(longest, (source.name == "request" ? 1 : at_once) * source.wcet);  // one has all its frames
+  return longest;
+}
+
+/// @param who  whose routine it is, in words
+bool check_counted(const std::string& who, Duration seen, Duration counted, const Position& at,
+                   Diagnostics& diagnostics) {
+  if (seen <= counted) return true;
+  diagnostics
+      .error(code::wcet_exceeded, at,
+             fmt::format("{} took {} us by itself, entry and exit included, and the analysis counts {} us", who,
+                         seen.ns() / 1000.0, counted.ns() / 1000.0))
+      .note("its figure is that of the timing file or, without one, of the board file: the bounds rest on it");
+  return false;
+}
+
+bool check_undeclared(const Bus& bus, const Port& port, const timing::Bus& counted, const timing::Model& model,
+                      const RunRecord& record, Diagnostics& diagnostics) {
+  bool holds = true;
+  for (const InterruptLine& line : port.interrupts) {
+    const std::string who = fmt::format("bus '{}': its routine for {}", bus.name.text, line.name);
+    holds = check_counted(who, longest_of(record, exception_of(line.number)),
+                          longest_counted(counted) + model.costs.interrupt, bus.at, diagnostics) &&
+            holds;
+  }
+  return holds;
+}
+
+bool check_release(const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics) {
+  constexpr std::uint32_t kSysTick = 15;
+  std::set<Duration> periods;
+  for (const timing::Device& device : model.devices) periods.insert(device.period);
+  const Duration counted =
+      model.costs.release + static_cast<std::int64_t>(periods.size()) * model.costs.release_per_bucket;
+  return check_counted("the release interrupt", longest_of(record, kSysTick), counted, timing::at_first_device(model),
+                       diagnostics);
 }
 
 /// Whether the bounds rest on what the robot says of the routines of its bus.
@@ -76,9 +125,15 @@ bool check_routines(const Robot& robot, const timing::Model& model, const RunRec
     const Bus& bus = robot.buses[id];
     const Port* port = robot.board->port(bus.port);
     const auto place = places.of(id);
-    if (!bus.isr_wcet || port == nullptr || !place || !is_declared(model.buses[*place])) continue;
-    holds = check_bus(bus, *port, model, record, diagnostics) && holds;
+    if (port == nullptr || !place) continue;
+    const timing::Bus& counted = model.buses[*place];
+    if (bus.isr_wcet && is_declared(counted)) {
+      holds = check_bus(bus, *port, model, record, diagnostics) && holds;
+    } else if (record.violated.empty()) {  // what faults make drivers do takes longer
+      holds = check_undeclared(bus, *port, counted, model, record, diagnostics) && holds;
+    }
   }
+  if (record.violated.empty()) holds = check_release(model, record, diagnostics) && holds;
   for (const PinLine& line : pin_lines(robot, model, record.traffic_window))
     holds = check_pins(line, model, record, diagnostics) && holds;
   return holds;

@@ -29,10 +29,23 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Whether events of a scenario put bytes on a line that nobody declares, without violating an assumption.
-bool sends_text(const Json& scenario) {
-  const Json events = scenario.value("events", Json::array());
-  return std::any_of(events.begin(), events.end(), [](const Json& event) { return event.value("do", "") == "send"; });
+/// The port that a part of this name hangs on; empty: none of these parts has that name.
+std::string port_of(const Json& parts, const std::string& name) {
+  const auto part =
+      std::find_if(parts.begin(), parts.end(), [&](const Json& one) { return one.value("name", "") == name; });
+  return part == parts.end() ? std::string() : part->value("port", "");
+}
+
+/// Ports on whose lines events of a scenario put bytes that nobody declares, without violating an assumption.
+std::vector<std::string> ports_with_text(const Json& scenario, const Json& robots_parts) {
+  std::vector<std::string> ports;
+  const Json own_parts = scenario.value("parts", Json::array());
+  for (const Json& event : scenario.value("events", Json::array())) {
+    if (event.value("do", "") != "send") continue;
+    const std::string part = event.value("part", ""), own = port_of(own_parts, part);
+    ports.push_back(event.value("port", own.empty() ? port_of(robots_parts, part) : own));
+  }
+  return ports;
 }
 
 Json bus_ports(const Robot& robot) {
@@ -221,7 +234,8 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   RunRecord record = read_record(json, robot, forest);
   record.silent = silent_beside(options.parts, options.scenario);
   record.judged_for = std::max(duration, last_event - record.ready);
-  record.sends_text = options.scenario != nullptr && sends_text(options.scenario->document);
+  if (options.scenario != nullptr)
+    record.text_ports = ports_with_text(options.scenario->document, options.parts.scenario.at("parts"));
   record.clock_ppm = clock_ppm;
   record.flash = flash;
   record.silicon = options.silicon;

@@ -54,6 +54,11 @@ void merge(RunRecord& all, const RunRecord& more) {
   for (std::size_t i = 0; i < all.expectations.size() && i < more.expectations.size(); ++i) {
     if (all.expectations[i].ok && !more.expectations[i].ok) all.expectations[i] = more.expectations[i];
   }
+  for (const std::string& part : more.absent) {
+    if (std::find(all.absent.begin(), all.absent.end(), part) == all.absent.end()) all.absent.push_back(part);
+  }
+  for (std::size_t i = 0; i < all.buses.size() && i < more.buses.size(); ++i)
+    all.buses[i].errors = std::max(all.buses[i].errors, more.buses[i].errors);
   all.resets += more.resets;
   all.scripted_resets += more.scripted_resets;
   all.late_violations += more.late_violations;

@@ -152,14 +152,14 @@ struct RunRecord {
   SiliconChoice silicon;                        ///< which freedom of its manual the emulated chip used
   std::vector<Violation> violated;              ///< by the scenario: bounds that rest on them need not hold
   std::optional<Duration> violated_from;        ///< before that all have to; none: they have to for ever
-  bool sends_text = false;                      ///< a scenario did, of any length, so lines may bring anything
-  std::vector<std::string> silent;              ///< devices without a model on the emulated board
-  std::vector<FaultCount> faults;               ///< in the order of their first times
-  std::vector<FaultCount> late_faults;          ///< of these, counted after the bring-up and before `violated_from`
-  std::uint64_t late_violations = 0;            ///< counted by the monitor before `violated_from`
-  bool is_traffic_judged = true;                ///< it was counted while no assumption was violated
-  std::optional<Duration> instruction_time;     ///< every one takes that long: the run counts them instead of time
-  std::optional<Duration> stopped_at;           ///< it went to its safe stop; host and qemu_f405 only
+  std::vector<std::string> text_ports;  ///< where a scenario sent text, of any length: their lines may bring anything
+  std::vector<std::string> silent;      ///< devices without a model on the emulated board
+  std::vector<FaultCount> faults;       ///< in the order of their first times
+  std::vector<FaultCount> late_faults;  ///< of these, counted after the bring-up and before `violated_from`
+  std::uint64_t late_violations = 0;    ///< counted by the monitor before `violated_from`
+  bool is_traffic_judged = true;        ///< it was counted while no assumption was violated
+  std::optional<Duration> instruction_time;  ///< every one takes that long: the run counts them instead of time
+  std::optional<Duration> stopped_at;        ///< it went to its safe stop; host and qemu_f405 only
 
   /// A time span as the world outside of the board sees it, to the nearest nanosecond.
   [[nodiscard]] Duration true_time(Duration span) const {
@@ -168,8 +168,8 @@ struct RunRecord {
   }
 };
 
-/// Adds what another run of the same image left behind to counters and longest times; stages, parts and the time of
-/// the bring-up stay those of the first.
+/// Adds what another run of the same image left behind to counters, longest times and parts that never came up; stages,
+/// parts and the time of the bring-up stay those of the first.
 void merge(RunRecord& all, const RunRecord& more);
 
 }  // namespace finemote::gen

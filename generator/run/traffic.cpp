@@ -25,16 +25,16 @@ std::optional<Table<timing::BusPlace, timing::TrafficLimit>> limits_of(const tim
 }
 
 /// Where parts declare nothing on a line that the board receives on, no bound rests on what comes there.
-Declared<Duration> received(const BusTraffic& seen, const timing::TrafficLimit& limit, bool sends_text) {
-  const bool is_bound = !sends_text && limit.received && *limit.received > Duration::zero();
+Declared<Duration> received(const BusTraffic& seen, const timing::TrafficLimit& limit, bool is_text) {
+  const bool is_bound = !is_text && limit.received && *limit.received > Duration::zero();
   return {seen.received, is_bound ? std::optional(of_slow_sender(*limit.received)) : std::nullopt};
 }
 
 MeasuredTraffic measured(const Robot& robot, BusId bus, const BusTraffic& seen, const timing::TrafficLimit& limit,
-                         bool sends_text) {
+                         bool is_text) {
   MeasuredTraffic traffic{bus, seen.window, {seen.sent, limit.wire}, std::nullopt, {seen.interrupts, limit.interrupts}};
   if (bus_type(robot.buses[bus].kind).has_two_lines) {
-    traffic.received = received(seen, limit, sends_text);
+    traffic.received = received(seen, limit, is_text);
   } else {
     traffic.sent.seen += seen.received;  // of a line that is switched over
   }
@@ -60,7 +60,9 @@ std::vector<MeasuredTraffic> measure_traffic(const Robot& robot, const timing::M
     if (!place || !bus.traffic) continue;
     if (!limits) limits = limits_of(model, bus.traffic->window);  // of all the same
     if (!limits) return all;
-    all.push_back(measured(robot, bus.bus, *bus.traffic, (*limits)[*place], record.sends_text));
+    const auto& texts = record.text_ports;
+    const bool is_text = std::find(texts.begin(), texts.end(), robot.buses[bus.bus].port) != texts.end();
+    all.push_back(measured(robot, bus.bus, *bus.traffic, (*limits)[*place], is_text));
   }
   return all;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostic/printable.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/xacro/block.hpp"
 #include "generator/xacro/expander.hpp"

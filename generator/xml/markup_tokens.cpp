@@ -80,7 +80,8 @@ MarkupToken markup_token_at(std::string_view text, std::size_t at) {
 
 std::vector<MarkupToken> markup_tokens(std::string_view text) {
   std::vector<MarkupToken> tokens;
-  for (std::size_t at = 0; at < text.size(); at += tokens.back().bytes.size()) tokens.push_back(markup_token_at(text, at));
+  for (std::size_t at = 0; at < text.size(); at += tokens.back().bytes.size())
+    tokens.push_back(markup_token_at(text, at));
   return tokens;
 }
 

@@ -51,8 +51,7 @@ std::string_view Prefixes::enter(const Node& element) {
 }
 
 void Prefixes::leave() {
-  for (; declared_.size() > open_sizes_.back(); declared_.pop_back())
-    in_force_.erase(in_force_.find(declared_.back()));
+  for (; declared_.size() > open_sizes_.back(); declared_.pop_back()) in_force_.erase(in_force_.find(declared_.back()));
   open_sizes_.pop_back();
 }
 

@@ -20,9 +20,9 @@ class Prefixes {
   [[nodiscard]] bool is_declared(std::string_view prefix) const;
   [[nodiscard]] std::string_view check_name(std::string_view name) const;
 
-  std::vector<std::string> declared_;    // innermost last
+  std::vector<std::string> declared_;              // innermost last
   std::unordered_multiset<std::string> in_force_;  // the same
-  std::vector<std::size_t> open_sizes_;  // declared_.size() before each open element
+  std::vector<std::size_t> open_sizes_;            // declared_.size() before each open element
 };
 
 }  // namespace finemote::gen::xml

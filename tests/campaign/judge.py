@@ -60,6 +60,10 @@ def devices_on(bus, model):
     return names.union(*(flush["devices"] for flush in model.get("flushes", []) if flush.get("bus") == bus))
 
 
+#: Traffic that nobody declares, and execution times above those that bounds rest on.
+FINDINGS = ("FM6015", "FM6006")
+
+
 class Verdict:
     """What the runs of one robot showed.
 
@@ -106,13 +110,17 @@ class Judge:
                     self.seen[key] = max(self.seen.get(key, 0), largest)
 
     def take_findings(self, said):
-        """Adds what the tool itself finds of traffic: nothing of it is in the record."""
-        self.broken += [line[line.index(": error") + 2:] for line in said.splitlines() if ": error[FM6015]" in line]
+        """Adds what the tool itself finds of traffic, of which nothing is in the record, and of execution times."""
+        self.broken += [line[line.index(": error") + 2:] for line in said.splitlines()
+                        if any(f": error[{code}]" in line for code in FINDINGS)]
 
     def take_document(self, run):
         """Adds what the tool itself calls broken: of chains, too, that nobody asked for, and of time stamps."""
         judged = [(f"{c['from']} -> {c['to']} {kind}", c[kind]) for c in run["chains"] for kind in KINDS]
         judged += [(f"{one['device']} {name}", one) for name in ("responses", "jitter", "claims") for one in run[name]]
+        judged += [(f"loop in {one['function']}", one) for one in run["loops"]]
+        if run["order"]["mistake"]:
+            self.broken.append(f"order: {run['order']['mistake']}")
         self.broken += [f"{name} is broken, says run" for name, one in judged if one["judged"] == "broken" and "assumption" not in one]
 
     def verdict(self):

@@ -90,6 +90,18 @@ TEST_CASE("fmt keeps what it does not know: elements of xacro, mixed text, CR li
         "\xEF\xBB\xBF<robot>\r\n<finemote>\r\n  <board/>\r\n</finemote></robot>\r\n");
 }
 
+TEST_CASE("fmt takes nothing inside a document type for markup") {
+  const std::string text = R"(<!DOCTYPE robot [
+  <!-- parts [0] and [1]> of the robot -->
+  <?note > ]> ?>
+  <!ENTITY fm "<link name='x'/><finemote version='1'><board   name='host'/></finemote>">
+  <!ENTITY bracket ']>'>
+]>
+<robot name="r"><link name="a"/>&fm;</robot>
+)";
+  CHECK(laid_out(text) == text);
+}
+
 TEST_CASE("every example is the same robot in canonical layout, and stays in it") {
   for (const std::string& robot : example_robots()) {
     INFO(robot);
@@ -100,6 +112,17 @@ TEST_CASE("every example is the same robot in canonical layout, and stays in it"
     CHECK(run_finemote({"fmt", copy, "--dry-run"}).output.empty());
     CHECK(run_finemote({"diff", source_path("examples/" + robot), copy}).exit_status == 0);
   }
+}
+
+TEST_CASE("fmt --dry-run says where a line break is lacking, and ends soon where every line changes") {
+  const TemporaryFolder folder;
+  std::string text = "<robot name='r'><link name='a'/><finemote version='1'>\n";
+  for (int i = 0; i < 20000; ++i) text += "<device name='d" + std::to_string(i) + "' type='sim_load'/>\n";
+  write_file(folder.path("robot.urdf"), text + "</finemote></robot>");
+  const auto all = run_finemote({"fmt", folder.path("robot.urdf"), "--dry-run"});
+  CHECK(all.exit_status == 1);
+  CHECK(all.output.find("@@ -1,20002 +1,") != std::string::npos);
+  CHECK(all.output.find("\n\\ No newline at end of file\n+") != std::string::npos);
 }
 
 TEST_CASE("fmt --dry-run shows what would change and writes nothing; of standard input the text is printed") {

@@ -233,7 +233,8 @@ TEST_CASE_METHOD(Fixture, "an attitude that comes back is held as it is: its yaw
   bench::run(3 * kSecond);
 }
 
-TEST_CASE_METHOD(Fixture, "a depth that comes back is turned against as it is, not by errors that were summed meanwhile") {
+TEST_CASE_METHOD(Fixture,
+                 "a depth that comes back is turned against as it is, not by errors that were summed meanwhile") {
   send(500 * kMillisecond, "ONH:450");  // 0.15 m too high
   std::uint32_t before = 0;
   bench::at(990 * kMillisecond, [&] { before = pca.pulse(4); });

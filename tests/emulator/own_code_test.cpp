@@ -176,3 +176,14 @@ TEST_CASE("bring-up: the first commands come out later than their bound, and not
     CHECK(chain["wire"]["judged"] == "held");
   }
 }
+
+TEST_CASE("kinds of faults that find no room in the firmware's table are counted together") {
+  const std::string update =
+      "if (count == 5) for (unsigned char kind = 1; kind <= 18; ++kind) "
+      "finemote::count_fault(finemote::Module::device, kind);";
+  const ProbeRun run = ProbeRobot(update, 400'000, kUrgentDevice).run();
+  CHECK(run.exit_status == 1);
+  const auto counts = run.document["fault_counts"];
+  REQUIRE(counts.size() == 17);
+  CHECK(counts.back() == nlohmann::json{{"module", "other"}, {"code", 0}, {"count", 2}});
+}

@@ -89,7 +89,8 @@ constexpr Range kRanges[] = {{0, "Command line and files"},
 /// docs/diagnostics/README.md: all pages by range.
 std::string index_page() {
   std::string text =
-      "# Diagnostics\n\nEvery message of finemote carries one of these numbers. `finemote explain FM3012` prints a page "
+      "# Diagnostics\n\nEvery message of finemote carries one of these numbers. `finemote explain FM3012` prints a "
+      "page "
       "from here;\n`finemote explain` prints this list. Numbers are never reused.\n";
   const char* title = nullptr;
   for (const CatalogueEntry& entry : list_catalogue(kPages)) {

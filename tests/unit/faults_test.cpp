@@ -116,6 +116,7 @@ TEST_CASE("every fault of the runtime has a row, and every row is a fault") {
   }
   for (const Json& fault : kFaults) {
     INFO(fault.dump());
+    if (fault.at("module") == 0) continue;  // those that found no record: faults_lost()
     REQUIRE(modules.count(fault.at("name")) == 1);
     CHECK(modules.at(fault.at("name")) == fault.at("module"));
     if (fault.contains("number")) CHECK(counted.count({fault.at("name"), fault.at("number")}) == 1);

@@ -25,8 +25,8 @@ inline constexpr std::uint32_t kPllSourceHse = bit(22);
 inline constexpr std::uint32_t kCfgrSwitchMask = 3, kCfgrSwitchHsi = 0, kCfgrSwitchPll = 2, kCfgrStatusMask = 3U << 2,
                                kCfgrStatusHsi = 0, kCfgrStatusPll = 2U << 2;
 inline constexpr std::uint32_t kCsrLsiOn = bit(0), kCsrLsiReady = bit(1), kCsrRemoveFlags = bit(24),
-                               kCsrBrownOut = bit(25), kCsrPinReset = bit(26), kCsrPowerReset = bit(27), kCsrSoftwareReset = bit(28),
-                               kCsrIwdgReset = bit(29), kCsrWwdgReset = bit(30);
+                               kCsrBrownOut = bit(25), kCsrPinReset = bit(26), kCsrPowerReset = bit(27),
+                               kCsrSoftwareReset = bit(28), kCsrIwdgReset = bit(29), kCsrWwdgReset = bit(30);
 
 /// Bits of ahb1enr: ports A..I are bits 0..8.
 inline constexpr std::uint32_t kAhb1Crc = bit(12), kAhb1CcmRam = bit(20), kAhb1Dma1 = bit(21), kAhb1Dma2 = bit(22);
