@@ -96,17 +96,19 @@ Difference difference_of(const fs::path& folder, const std::vector<OutputFile>& 
 /// Reports FM5004 for what would be written over and is none of this command's files, FM5013 for what was read.
 bool may_be_written(const fs::path& folder, const Difference& difference, Sources& sources, Diagnostics& diagnostics) {
   std::vector<PlannedFile> planned;
+  for (const std::string& name : difference.different) planned.push_back({(folder / name).generic_string(), "-o"});
+  bool is_fine = check_outputs(planned, sources, diagnostics);
   for (const std::string& name : difference.different) {
     const std::string path = (folder / name).generic_string();
-    planned.push_back({path, "-o"});
     const auto there = read_bytes(path);
     if (!there || is_board_source(*there)) continue;
+    is_fine = false;
     diagnostics
         .error(code::file_of_the_user, {sources.add({path, path, {}})},
                fmt::format("'{}' would be overwritten, and no 'finemote board sources' wrote it", name))
         .hint("move it away, or give another folder");
   }
-  return check_outputs(planned, sources, diagnostics) && !diagnostics.has_errors();
+  return is_fine;
 }
 
 /// Writes what differs and removes what is left over. @return false: it did not succeed, which was reported

@@ -12,13 +12,13 @@ namespace finemote::gen {
 namespace {
 
 /// A type in use, and where it is named.
-struct Use {
+struct NamedHeader {
   const xml::Attribute* at;
   std::string type, include, include_dir;
 };
 
-std::vector<Use> user_types(const Reading& reading) {
-  std::vector<Use> uses;
+std::vector<NamedHeader> user_types(const Reading& reading) {
+  std::vector<NamedHeader> uses;
   const auto add = [&](const xml::Node& tag, const char* attribute, const auto* type) {
     const xml::Attribute* at = tag.attribute(attribute);
     if (type != nullptr && at != nullptr && !type->include_dir.empty())
@@ -34,9 +34,9 @@ std::vector<Use> user_types(const Reading& reading) {
 }  // namespace
 
 void check_headers(Reading& reading) {
-  std::map<std::string, Use> first;  // by the name of the header
-  std::set<std::string> reported;    // types
-  for (const Use& use : user_types(reading)) {
+  std::map<std::string, NamedHeader> first;  // by the name of the header
+  std::set<std::string> reported;            // types
+  for (const NamedHeader& use : user_types(reading)) {
     const auto [known, is_new] = first.emplace(use.include, use);
     if (is_new || known->second.include_dir == use.include_dir || !reported.insert(use.type).second) continue;
     at_value(reading.diagnostics, code::descriptor_contradiction, *use.at,
