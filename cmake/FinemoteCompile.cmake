@@ -57,8 +57,9 @@ function(finemote_compile_options target board chips optimize)
     target_compile_options(${target} PRIVATE -g)
     return()
   endif()
-  target_compile_options(${target} PRIVATE -g ${optimize} -fno-exceptions -fno-rtti -fno-threadsafe-statics
-                         -fno-use-cxa-atexit -fno-math-errno -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections
+  target_compile_options(${target} PRIVATE -g ${optimize}
+                         "$<$<COMPILE_LANGUAGE:CXX>:-fno-exceptions;-fno-rtti;-fno-threadsafe-statics;-fno-use-cxa-atexit>"
+                         -fno-math-errno -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections
                          -fdata-sections
                          # the same bytes wherever the sources lie, also behind links; of several that fit the last one counts
                          -fno-canonical-system-headers

@@ -7,6 +7,9 @@ if(NOT FINEMOTE_ARM_COMPILER)
                       "apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib")
 endif()
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
+# Of projects that have such sources; without them CMake would look for compilers of this computer.
+set(CMAKE_C_COMPILER arm-none-eabi-gcc)
+set(CMAKE_ASM_COMPILER arm-none-eabi-gcc)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 # Not -ffreestanding: from GCC 13 on that takes <cmath> away. Of it, only that calls and loops stay what the source says is
 # wanted. Beside CMAKE_CXX_FLAGS, which are the user's; the compiler takes one --specs, and theirs counts.
@@ -25,7 +28,9 @@ if(NOT FINEMOTE_CXX_ARCHIVE_OF STREQUAL FINEMOTE_ARM_COMPILER OR NOT EXISTS "${F
 endif()
 if(NOT EXISTS "${FINEMOTE_CXX_ARCHIVE}")
   add_link_options(-nodefaultlibs)
-  set(CMAKE_CXX_STANDARD_LIBRARIES_INIT "-Wl,--start-group -lc_nano -lm -lgcc -Wl,--end-group")
+  foreach(language C CXX)
+    set(CMAKE_${language}_STANDARD_LIBRARIES_INIT "-Wl,--start-group -lc_nano -lm -lgcc -Wl,--end-group")
+  endforeach()
 endif()
 # These options decide what is built; a build type would only add to them.
 set(CMAKE_BUILD_TYPE "" CACHE STRING "")
