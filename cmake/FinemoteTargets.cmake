@@ -27,11 +27,22 @@ function(finemote_probe_file result)
   message(FATAL_ERROR "finemote: no file openocd/${FINEMOTE_PROBE}.cfg for FINEMOTE_PROBE; known are stlink, cmsis-dap and jlink")
 endfunction()
 
-# A target that talks to the board through a terminal, or says which program is missing.
-function(finemote_probe_target target what program package)
-  cmake_parse_arguments(arg "" "" "COMMAND" ${ARGN})
-  if(NOT ${program})
-    set(arg_COMMAND ${CMAKE_COMMAND} -E echo "needs ${package}: apt-get install ${package}, then configure again"
+# finemote_probe_target(NAME what NEEDS program ... COMMAND ...): a target that talks to the board through a terminal, or says
+# which of the programs that it needs are missing.
+function(finemote_probe_target target what)
+  cmake_parse_arguments(arg "" "" "NEEDS;COMMAND" ${ARGN})
+  set(package_of_FINEMOTE_OPENOCD openocd)
+  set(package_of_FINEMOTE_GDB gdb-multiarch)
+  set(missing)
+  foreach(program ${arg_NEEDS})
+    if(NOT ${program})
+      list(APPEND missing ${package_of_${program}})
+    endif()
+  endforeach()
+  if(missing)
+    list(JOIN missing " " packages)
+    list(JOIN missing " and " words)
+    set(arg_COMMAND ${CMAKE_COMMAND} -E echo "needs ${words}: apt-get install ${packages}, then configure again"
                     COMMAND ${CMAKE_COMMAND} -E false)
   endif()
   add_custom_target(${target}-${what} COMMAND ${arg_COMMAND} DEPENDS ${target} USES_TERMINAL VERBATIM)
@@ -81,13 +92,13 @@ function(finemote_firmware_targets target chips)
     add_custom_target(${target}-size COMMAND ${CMAKE_COMMAND} -DIMAGE=${image} -DNM=${CMAKE_NM} -DOBJDUMP=${CMAKE_OBJDUMP}
                       -DFLASH_BUDGET=${arg_FLASH_BUDGET} -DRAM_BUDGET=${arg_RAM_BUDGET} -P ${scripts}/size.cmake
                       DEPENDS ${target} VERBATIM)
-    finemote_probe_target(${target} flash FINEMOTE_OPENOCD openocd
+    finemote_probe_target(${target} flash NEEDS FINEMOTE_OPENOCD
                           COMMAND ${FINEMOTE_OPENOCD} -f ${probe} -c "program {${image}} verify reset exit")
-    finemote_probe_target(${target} debug FINEMOTE_GDB gdb-multiarch COMMAND ${FINEMOTE_GDB} ${image}
+    finemote_probe_target(${target} debug NEEDS FINEMOTE_GDB FINEMOTE_OPENOCD COMMAND ${FINEMOTE_GDB} ${image}
                           -x ${CMAKE_CURRENT_BINARY_DIR}/${target}.gdb
                           -ex "target extended-remote | ${FINEMOTE_OPENOCD} -f '${probe}' -c 'gdb_port pipe' -c 'log_output openocd.log'"
                           -ex "monitor reset halt" -ex load -ex "monitor reset halt")
-    finemote_probe_target(${target} rtt FINEMOTE_OPENOCD openocd COMMAND ${CMAKE_COMMAND} -DIMAGE=${image} -DNM=${CMAKE_NM}
+    finemote_probe_target(${target} rtt NEEDS FINEMOTE_OPENOCD COMMAND ${CMAKE_COMMAND} -DIMAGE=${image} -DNM=${CMAKE_NM}
                           -DOPENOCD=${FINEMOTE_OPENOCD} -DPROBE=${probe} -P ${scripts}/rtt.cmake)
   endif()
   finemote_short_targets(${target})

@@ -34,6 +34,16 @@ equal "the project's probe" "$(sed -n 2p "$work/openocd.words")" "$work/rover/op
 refuses "an unknown probe" "known are stlink, cmsis-dap and jlink" cmake -DFINEMOTE_PROBE=stlnk "$build"
 holds "the probe again" cmake -DFINEMOTE_PROBE=stlink "$build"
 
+# A program that is not there is named before anything starts.
+rm "$work/gdb.words"
+holds "no OpenOCD" cmake -DFINEMOTE_OPENOCD= "$build"
+refuses "flash without OpenOCD" "needs openocd: apt-get install openocd, then configure again" ninja -C "$build" flash
+refuses "debug without OpenOCD" "needs openocd: apt-get install openocd, then configure again" ninja -C "$build" debug
+[ ! -e "$work/gdb.words" ] || fail "gdb was started without OpenOCD"
+holds "neither" cmake -DFINEMOTE_GDB= "$build"
+refuses "debug without both" "needs gdb-multiarch and openocd: apt-get install gdb-multiarch openocd" ninja -C "$build" debug
+holds "both again" cmake -DFINEMOTE_OPENOCD="$work/openocd" -DFINEMOTE_GDB="$work/gdb" "$build"
+
 # The flashed bytes are those that `finemote run` judges, the same in every build type, folder and place of finemote.
 sum() { sha256sum <"$1" | cut -d ' ' -f 1; }
 judged=$(finemote run "$here/rover/rover.urdf.xacro" --build-only --format json)
