@@ -87,7 +87,7 @@ function(finemote_generate_in_build target words beside folder list)
   endforeach()
 endfunction()
 
-# Sources that lie in `folder`, as its manifest lists them; the test NAME-check holds them to the robot.
+# Sources that lie in `folder`, as its manifest lists them; the test NAME-check holds them to the robot, and the target NAME-fresh.
 function(finemote_use_committed target words folder result)
   get_target_property(program finemote::finemote IMPORTED_LOCATION)
   list(JOIN words " " command)
@@ -108,6 +108,8 @@ function(finemote_use_committed target words folder result)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${manifest})
   add_custom_target(${target}-generate COMMAND ${program} generate ${words} -o ${folder} VERBATIM)
   add_test(NAME ${target}-check COMMAND ${program} check ${words} -o ${folder})
+  add_custom_target(${target}-fresh COMMAND ${program} -q check ${words} -o ${folder} VERBATIM
+                    COMMENT "Holding ${folder} to the robot (not with -DFINEMOTE_FLASH_STALE=ON)")
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
 

@@ -6,6 +6,7 @@
 #   NAME-debug      gdb at the reset of the board, with the image loaded; NAME.gdb tells it where the sources lie
 #   NAME-rtt        serves the trace of the running board at TCP port 9090 (an image with TRACE); does not halt it
 #   NAME-generate   writes the generated sources (finemote_add_firmware with INPUT)
+#   NAME-fresh      fails where committed sources are not those of the robot; -flash, -debug, -hex and -bin ask it first
 #
 # The first firmware of a project has them under the short names as well: flash, debug, rtt, size, hex, bin, generate.
 #
@@ -13,6 +14,7 @@
 # project, or the one that finemote ships. FINEMOTE_OPENOCD and FINEMOTE_GDB name the programs.
 set(FINEMOTE_PROBE stlink CACHE STRING "debug probe: stlink, cmsis-dap or jlink")
 set_property(CACHE FINEMOTE_PROBE PROPERTY STRINGS stlink cmsis-dap jlink)
+option(FINEMOTE_FLASH_STALE "what is flashed may be older than the robot" OFF)
 find_program(FINEMOTE_OPENOCD openocd)
 find_program(FINEMOTE_GDB NAMES gdb-multiarch arm-none-eabi-gdb)
 
@@ -66,6 +68,16 @@ function(finemote_source_paths target)
   file(CONFIGURE OUTPUT ${target}.gdb CONTENT "${text}" @ONLY)
 endfunction()
 
+# Nothing goes to a board that was made of a robot as it was. A build does not ask: what is committed can be looked at.
+function(finemote_refuse_stale target)
+  if(NOT TARGET ${target}-fresh OR FINEMOTE_FLASH_STALE)
+    return()
+  endif()
+  foreach(what flash debug hex bin)
+    add_dependencies(${target}-${what} ${target}-fresh)
+  endforeach()
+endfunction()
+
 # The short names, once in a project.
 function(finemote_short_targets target)
   get_property(first GLOBAL PROPERTY FINEMOTE_FIRST_FIRMWARE)
@@ -100,6 +112,7 @@ function(finemote_firmware_targets target chips)
                           -ex "monitor reset halt" -ex load -ex "monitor reset halt")
     finemote_probe_target(${target} rtt NEEDS FINEMOTE_OPENOCD COMMAND ${CMAKE_COMMAND} -DIMAGE=${image} -DNM=${CMAKE_NM}
                           -DOPENOCD=${FINEMOTE_OPENOCD} -DPROBE=${probe} -P ${scripts}/rtt.cmake)
+    finemote_refuse_stale(${target})
   endif()
   finemote_short_targets(${target})
 endfunction()

@@ -25,6 +25,21 @@ address=$(arm-none-eabi-nm "$build/traced.elf" | sed -n 's/^\([0-9a-f]*\) . _SEG
 equal "rtt" "$(paste -sd ' ' "$work/openocd.words")" "-c set WORKAREASIZE 0 -f $cfg -c init -c rtt setup 0x$address 16 \
 \"SEGGER RTT\" -c rtt polling_interval 1 -c rtt start -c rtt server start 9090 0"
 
+# A robot that was edited since its committed sources were made: it can be built, and does not go to a board unless one wants to.
+wheel='<xacro:wheel name="right"/>'
+sed -i "s|$wheel|<xacro:wheel name=\"third\"/>|" "$work/rover/rover.urdf.xacro"
+run committed
+rm "$work/openocd.words"
+for what in flash debug hex bin; do
+  refuses "$what of a stale image" "stale" ninja -C "$build" committed-$what
+done
+[ ! -e "$work/openocd.words" ] || fail "a stale image was flashed"
+holds "stale images are wanted" cmake -DFINEMOTE_FLASH_STALE=ON "$build"
+run committed-flash
+holds "stale images are not wanted" cmake -DFINEMOTE_FLASH_STALE=OFF "$build"
+sed -i "s|<xacro:wheel name=\"third\"/>|$wheel|" "$work/rover/rover.urdf.xacro"
+run committed-flash
+
 # The configuration of the project comes first, and probes have names.
 mkdir "$work/rover/openocd"
 cp "${cfg%/*}/jlink.cfg" "$work/rover/openocd/"
