@@ -30,6 +30,7 @@ CMake package.")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
     "cmake, ninja-build, g++, gcc-arm-none-eabi, libnewlib-arm-none-eabi, libstdc++-arm-none-eabi-newlib")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "openocd, gdb-multiarch")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/postinst)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian/documents.cmake)
 set(CPACK_FINEMOTE_SOURCES ${PROJECT_SOURCE_DIR})
 include(CPack)

@@ -46,6 +46,15 @@ else
   echo "lintian is missing: the package is not checked by it"
 fi
 
+# What is installed is newer than all that was compiled before, though the package has the dates of its commit.
+dpkg-deb -e "$first" control
+sleep 0.05
+touch compiled
+sleep 0.05
+holds "postinst" env DPKG_ROOT="$work/root" control/postinst configure ""
+equal "what is older than a build before it" \
+  "$(find root/usr/bin root/usr/share/finemote -type f ! -newer compiled)" ""
+
 # Unpacked anywhere it works. What a project builds with it, package_init_test shows.
 PATH=$work/root/usr/bin:$PATH
 holds "init" finemote init rover
