@@ -5,6 +5,7 @@
 
 #include "generator/emit/link.hpp"
 #include "generator/input/read_document.hpp"
+#include "generator/model/asked_board.hpp"
 #include "generator/model/build.hpp"
 #include "generator/model/firmware_inputs.hpp"
 #include "generator/tasks/remodel.hpp"
@@ -36,7 +37,7 @@ void take_timing_file(const Input& input, PlannedRobot& planned, Sources& source
   if (path.empty() || !is_there(path, sources.access())) return;
   const auto file = read_timing_file(path, sources, diagnostics);
   if (!file) return;
-  const TimingQuestion question{input.path, argument_words(input), input.board,
+  const TimingQuestion question{input.path, argument_words(input), planned.board,
                                 timing_state_of(planned, input.data_dir, sources.access()).hash};
   planned.timing_file = {use_timing_file(*file, question, planned.robot, diagnostics), file->at, path, file->compiler};
 }
@@ -55,6 +56,7 @@ std::optional<PlannedRobot> plan_robot(const Input& input, Sources& sources, Dia
   Schedule schedule = plan_schedule(*robot, forest, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   PlannedRobot planned{std::move(*library), std::move(*robot), std::move(forest), std::move(schedule)};
+  planned.board = asked_board(*document, input.board);
   if (!input.without_timing_file) take_timing_file(input, planned, sources, diagnostics);
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(planned));
 }
@@ -81,7 +83,7 @@ TimingState timing_state_of(const PlannedRobot& planned, const std::string& data
 }
 
 Analysis analyse_robot(const PlannedRobot& planned, Hints hints) {
-  const auto& [library, robot, forest, schedule, timing_file] = planned;
+  const auto& [library, robot, forest, schedule, timing_file, board] = planned;
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(robot, forest);
   request.inputs = true;
@@ -93,7 +95,7 @@ Analysis analyse_robot(const PlannedRobot& planned, Hints hints) {
 }
 
 ProvenBounds prove_bounds(const PlannedRobot& planned, const Analysis& analysis) {
-  const auto& [library, robot, forest, schedule, timing_file] = planned;
+  const auto& [library, robot, forest, schedule, timing_file, board] = planned;
   return {timing::robot_bounds(analysis.timing, forest, schedule),
           timing::instrumented_bounds(robot, forest, schedule)};
 }

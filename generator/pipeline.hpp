@@ -28,6 +28,7 @@ struct PlannedRobot {
   Forest forest;
   Schedule schedule;
   TimingFileUse timing_file = {};
+  std::string board = {};  ///< asked for, where it is another than the robot names; empty: the robot's own
 
   [[nodiscard]] Plan plan() const { return {robot, forest, schedule}; }
 };

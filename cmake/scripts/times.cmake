@@ -1,7 +1,8 @@
 # cmake -DPROGRAM=finemote -DWORDS=words -DIMAGE=elf -DTIMES=robot.timing.json -DBOUNDS=file -P times.cmake
 #
 # Bounds a linked image, and fails where a stage, an interrupt routine or the scheduler can take longer than the robot's timing file
-# says, takes time and is not in the file, or has no bound although all of the file has.
+# says, takes time and is not in the file, or has no bound although all of the file has. A file of another board or of other
+# arguments, whose times do not count for this firmware either, holds nothing.
 cmake_policy(VERSION 3.25)
 if(NOT EXISTS ${TIMES})
   return()
@@ -66,12 +67,37 @@ macro(read_figures document prefix)
   endforeach()
 endmacro()
 
+# What the times of a document are of, beside the robot: the board, then arguments in order.
+function(options_of document result)
+  string(JSON board ERROR_VARIABLE none GET "${document}" inputs options board)
+  if(none)
+    set(board)
+  endif()
+  set(arguments)
+  string(JSON count LENGTH "${document}" inputs arguments)
+  math(EXPR last "${count} - 1")
+  if(last GREATER_EQUAL 0)
+    foreach(i RANGE ${last})
+      string(JSON argument GET "${document}" inputs arguments ${i})
+      list(APPEND arguments "${argument}")
+    endforeach()
+  endif()
+  list(SORT arguments)
+  set(${result} "${board};${arguments}" PARENT_SCOPE)
+endfunction()
+
 execute_process(COMMAND ${PROGRAM} -q wcet ${WORDS} --elf ${IMAGE} -o ${BOUNDS} RESULT_VARIABLE status OUTPUT_QUIET)
 if(NOT status MATCHES "^[01]$")  # 1: something has no bound; what it is is seen below
   message(FATAL_ERROR "the execution times of ${IMAGE} cannot be bounded; see above")
 endif()
 file(READ ${TIMES} granted)
 file(READ ${BOUNDS} found)
+options_of("${granted}" options_granted)
+options_of("${found}" options)
+if(NOT options STREQUAL options_granted)
+  message(STATUS "${TIMES} is of other arguments or another board: this image is held to nothing")
+  return()
+endif()
 read_figures(granted allowed)
 read_figures(found bound)
 string(JSON gaps_before LENGTH "${granted}" unresolved)
@@ -104,7 +130,7 @@ if(gaps GREATER 0 AND gaps_before EQUAL 0)
   endforeach()
 endif()
 if(mistakes)
-  list(GET WORDS 0 input)
+  list(JOIN WORDS " " words)
   message(FATAL_ERROR "this image does not keep to ${TIMES}:\n${mistakes}"
-                      "make the code faster, or bound it anew and look at the difference: finemote wcet ${input} -o ${TIMES}")
+                      "make the code faster, or bound it anew and look at the difference: finemote wcet ${words} -o ${TIMES}")
 endif()

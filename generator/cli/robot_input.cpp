@@ -10,9 +10,9 @@ namespace finemote::gen {
 namespace {
 
 /// What changes the files beside the inputs, as on the command line: `--board NAME`, then `name:=value`, sorted.
-std::vector<std::string> output_options(const Input& input) {
+std::vector<std::string> output_options(const Input& input, const std::string& board) {
   std::vector<std::string> words = argument_words(input);
-  if (!input.board.empty()) words.insert(words.begin(), "--board " + input.board);
+  if (!board.empty()) words.insert(words.begin(), "--board " + board);
   return words;
 }
 
@@ -34,7 +34,8 @@ std::optional<Input> input_of(const Options& options, Diagnostics& diagnostics) 
 Output output_of(std::vector<OutputFile> files, const PlannedRobot& planned, const Input& input,
                  const Sources& sources) {
   auto inputs = input_files(sources, input_folder(input.path), input.data_dir);
-  return make_output(std::move(files), std::move(inputs), planned.robot.name.text, output_options(input));
+  return make_output(std::move(files), std::move(inputs), planned.robot.name.text,
+                     output_options(input, planned.board));
 }
 
 }  // namespace finemote::gen

@@ -47,7 +47,7 @@ bool has_parts(const Robot& robot, const RunSetup& setup, bool build_only, Diagn
 /// not exist; what else is wrong with the image is wrong with the robot.
 std::optional<timing::Timing> analyse_image(const Options& options, const PlannedRobot& planned,
                                             Diagnostics& diagnostics) {
-  const auto& [library, robot, forest, schedule, timing_file] = planned;
+  const auto& [library, robot, forest, schedule, timing_file, board] = planned;
   timing::RobotTimingOptions instrumented;
   instrumented.trace = options.trace;
   instrumented.monitor = options.monitor;
@@ -126,7 +126,7 @@ WatchedImage watch_loops(const ProvenImage& image, const Input& input, bool is_c
 std::optional<RunRecord> run_image(const WatchedImage& watched, const PlannedRobot& planned, const RunSetup& setup,
                                    const FaultTable& faults, const Options& options, std::optional<Phase> phase,
                                    Diagnostics& diagnostics) {
-  const auto& [library, robot, forest, schedule, timing_file] = planned;
+  const auto& [library, robot, forest, schedule, timing_file, board] = planned;
   const std::string& image = watched.image.path;
   if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration, faults, diagnostics);
   return emulate(image, robot, forest, setup.duration,
@@ -203,7 +203,7 @@ void judge(const PlannedRobot& planned, const std::optional<timing::Timing>& tim
 /// What was run, and what it left behind.
 RunResult result_of(const PlannedRobot& planned, const RunSetup& setup, const ImageFacts& image, Runs runs,
                     const FaultTable& faults) {
-  const auto& [library, robot, forest, schedule, timing_file] = planned;
+  const auto& [library, robot, forest, schedule, timing_file, board] = planned;
   const auto whole = hyperperiod(schedule, setup.duration);
   const bool fits_twice = whole && *whole <= floor_div(setup.duration, 2);
   const Duration shown = fits_twice ? 2 * *whole : setup.duration;

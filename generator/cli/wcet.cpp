@@ -88,7 +88,7 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   WcetInputs inputs;
   inputs.clock_hz = planned->robot.board->cpu_hz;
   inputs.arguments = argument_words(*input);
-  inputs.board = options.board;
+  inputs.board = planned->board;
   TimingState state;
   if (options.elf.empty()) {
     state = timing_state_of(*planned, input->data_dir, sources.access());

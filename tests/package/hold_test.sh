@@ -43,6 +43,7 @@ times=robot.timing.json
 holds_with ''
 refuses_with "can.CAN1_TX request of 3 has no bound any more" 'line["requests"].pop()'
 refuses_with "release can take 9999 ns, 3506 ns are granted" 'tasks[0]["wcet_ns"] = 9999'
+refuses_with "finemote wcet robot.urdf --data-dir /data side:=left -o robot.timing.json" 'tasks[0]["wcet_ns"] = 9999'
 
 # What a request takes with one, two and three frames.
 refuses_with "can.CAN1_TX request of 1 can take 6466 ns, 6465 ns are granted" 'line["requests"][0] += 1'
@@ -60,3 +61,12 @@ refuses_with "can.CAN1_SCE can take 80 ns, and is not in the file" \
 times=gaps.timing.json
 bounds gaps.timing.json 'd["unresolved"].append({"function": "f", "why": "a loop"}); tasks.pop()'
 holds_with ''
+
+# A file of another board, or of other arguments, holds nothing; their order makes no difference.
+times=robot.timing.json
+longer='tasks[0]["wcet_ns"] = 9999; '
+refuses_with "release can take 9999 ns" "$longer"'d["inputs"]["arguments"].reverse()'
+for other in 'd["inputs"]["options"]["board"] = "stm32f4_discovery"' 'd["inputs"]["arguments"].pop()'; do
+  holds_with "$longer$other"
+  grep -q "robot.timing.json is of other arguments or another board: this image is held to nothing" "$work/said" || fail "$other: not said"
+done

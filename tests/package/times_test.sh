@@ -52,6 +52,17 @@ refuses "another place" 'bounds code in sram, not in flash: instead of CODE writ
 with BOARD qemu_f405
 holds "a board that stands in" configure_board rover
 holds "an image for it" ninja -C "$work/rover/build" rover.elf
+
+# The robot's own board is the same as none. With other arguments the file is of another robot, as it is for the sources.
+holds "a robot on its own board" finemote analyze "$robot" --board robomaster_type_c --require-static
+with BOARD robomaster_type_c
+holds "the robot's own board" configure_board rover
+holds "an image for it" ninja -C "$work/rover/build" rover.elf
+! grep -q 'held to nothing' "$work/said" || fail "the robot's own board: held to nothing"
+with ARGS period:=20ms
+holds "other arguments" configure_board rover
+holds "an image for them" ninja -C "$work/rover/build" rover.elf
+grep -q 'rover.timing.json is of other arguments or another board: this image is held to nothing' "$work/said" || fail "other arguments: held"
 cp "$work/lists" "$lists"
 
 # Nobody knows how often it runs.
