@@ -101,7 +101,8 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   if (options.elf.empty()) progress.say("compiling the firmware");
   const auto path = options.elf.empty() ? own_image(project, planned->robot, state, sources, diagnostics) : options.elf;
   const auto image = path ? read_image(*path, diagnostics) : std::nullopt;
-  if (!image || (!options.elf.empty() && !is_image_of(planned->robot, planned->forest, *image, *path, diagnostics)))
+  if (!image || (!options.elf.empty() &&
+                 !is_image_of(planned->robot, planned->forest, planned->schedule, *image, *path, diagnostics)))
     return no_answer();
   const UserWords words = user_words(planned->robot, sources.access());
   const KeptMembers kept = kept_members(*path, {words.has_mutable, words.makes_in_place}, diagnostics);

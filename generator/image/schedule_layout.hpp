@@ -8,6 +8,6 @@ namespace finemote::gen::schedule_layout {
 
 inline constexpr std::uint32_t kRobotAt = 0, kBucketsAt = 16, kBucketCountAt = 20, kStartBusesAt = 32,
                                kSafeOutputsAt = 36, kBusesQuietAt = 48;
-inline constexpr std::uint32_t kBucketSize = 24, kLineAt = 16;
+inline constexpr std::uint32_t kBucketSize = 24, kPeriodAt = 8, kLineAt = 16;
 
 }  // namespace finemote::gen::schedule_layout

@@ -18,6 +18,10 @@ bound() { sed -n '/"device": "rover"/,/wcet_ns/s/.*"wcet_ns": \([0-9]*\),/\1/p' 
 granted=$(bound)
 [ "${granted:-0}" -gt 0 ] || fail "no bound of the rover in $(cat "$times")"
 
+# An image with other periods is none of this robot.
+refuses "bounds of an image with other periods" "has periods of 10 ms, and 'rover' of 20 ms: it was built from another version" \
+  finemote wcet "$robot" period:=20ms --elf "$work/rover/build/rover.elf"
+
 sed -i 's/++jobs_;/for (int volatile i = 0; i < 9; ++i) ++jobs_;/' "$work/rover/devices/meter.cpp"
 grep -q 'volatile i' "$work/rover/devices/meter.cpp" || fail "no loop in meter.cpp"
 refuses "a loop in a device" "rover.update can take [0-9]* ns, $granted ns are granted" ninja -C "$work/rover/build" rover.elf

@@ -30,7 +30,7 @@ namespace {
 // The image check (generator/image/stack.cpp) reads the schedule out of the linked image.
 static_assert(offsetof(Schedule, buckets) == 16 && offsetof(Schedule, start_buses) == 32 &&
               offsetof(Schedule, safe_outputs) == 36 && offsetof(Schedule, buses_quiet) == 48 && sizeof(Bucket) == 24 &&
-              offsetof(Bucket, line) == 16);
+              offsetof(Bucket, period) == 8 && offsetof(Bucket, line) == 16);
 
 // The emulator reads overruns from memory (emulator/program/firmware.cpp).
 static_assert(offsetof(BucketState, overruns) == 12 && sizeof(BucketState) == 20);
