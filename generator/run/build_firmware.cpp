@@ -11,6 +11,7 @@
 #include "generator/file/replace_file.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/run/process.hpp"
+#include "generator/timing_file/inputs_hash.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -122,10 +123,11 @@ std::set<std::string> sources_below(const fs::path& folder) {
   return sources;
 }
 
-/// What the configuration of a work folder follows from: its project, and the names of the sources, which CMake looks
-/// for.
+/// What the configuration of a work folder follows from: the runtime, its project, and the names of the sources, which
+/// CMake looks for.
 std::string configuration_of(const FirmwareRequest& request) {
-  std::string text = fs::absolute(request.folder).generic_string() + "\n" + project_text(request);
+  std::string text = shipped_digest(request.data_dir, request.board) + "\n";
+  text += fs::absolute(request.folder).generic_string() + "\n" + project_text(request);
   for (const fs::path& folder : {fs::path(request.folder) / "generated", fs::path(request.data_dir) / "runtime"}) {
     for (const std::string& source : sources_below(folder)) text += source + "\n";
   }
@@ -140,8 +142,18 @@ bool is_configured(const fs::path& build, const std::string& configuration) {
   return fs::exists(build / "build.ninja") && read_bytes(configuration_file(build).string()) == configuration;
 }
 
+/// Whether what was compiled in the folder may be of another runtime. Ninja does not see it: the dates of a package are
+/// its commit's, before those of what was compiled since.
+bool is_of_other_runtime(const fs::path& build, const std::string& configuration) {
+  if (!fs::exists(build / "build.ninja")) return false;
+  const auto before = read_bytes(configuration_file(build).string());
+  const std::string digest = configuration.substr(0, configuration.find('\n') + 1);
+  return !before || !before->starts_with(digest);
+}
+
 bool configure(const FirmwareRequest& request, const fs::path& build, const std::string& configuration,
                Diagnostics& diagnostics) {
+  const bool is_stale = is_of_other_runtime(build, configuration);
   std::error_code ignored;
   fs::remove(configuration_file(build), ignored);
   // Where it was configured before, the programs were there.
@@ -155,6 +167,8 @@ bool configure(const FirmwareRequest& request, const fs::path& build, const std:
                       fs::absolute(request.data_dir + "/cmake/toolchain-arm-none-eabi.cmake").string());
   }
   if (!step(command, "configuring the firmware", diagnostics)) return false;
+  if (is_stale && !step({"ninja", "-C", build.string(), "-t", "clean"}, "cleaning the folder", diagnostics))
+    return false;
   static_cast<void>(replace_file(configuration_file(build).string(), configuration));
   return true;
 }

@@ -73,13 +73,12 @@ class List {
   std::string text_;
 };
 
-std::vector<SourceText> shipped_sources(const TimingInputs& inputs) {
+std::vector<SourceText> shipped_sources(const fs::path& data, const std::string& board) {
   const files::Access own;  // what is shipped lies outside of every sandbox
-  const fs::path data = inputs.data_dir;
   std::vector<SourceText> sources;
   for (const char* folder : {"chips", "devices", "include", "src"})
     collect(std::string("runtime/") + folder, data / "runtime" / folder, own, sources);
-  collect("runtime/board", data / "runtime" / "boards" / inputs.board, own, sources);
+  collect("runtime/board", data / "runtime" / "boards" / board, own, sources);
   for (const char* file : kBuildFiles) sources.push_back(source_at(file, data / "cmake" / file, own));
   return sources;
 }
@@ -100,7 +99,7 @@ TimingState timing_state(const TimingInputs& inputs, const files::Access& access
   list.add("model", model.name + " " + std::to_string(model.version));
   list.add("board", inputs.board + " " + inputs.placement);
   for (const OutputFile& file : inputs.generated) list.add(file.name, without_sources(file.text));
-  const std::vector<SourceText> shipped = shipped_sources(inputs);
+  const std::vector<SourceText> shipped = shipped_sources(inputs.data_dir, inputs.board);
   list.add(shipped);
   const std::vector<SourceText> user = user_code(inputs.generated, shipped, inputs.user_folders, access);
   list.add(with_common_ends(user));
@@ -108,6 +107,12 @@ TimingState timing_state(const TimingInputs& inputs, const files::Access& access
   TimingState state{is_whole ? list.digest() : std::string(), {}};
   for (const SourceText& source : user) state.user_files.push_back(source.path);
   return state;
+}
+
+std::string shipped_digest(const std::string& data_dir, const std::string& board) {
+  List list;
+  list.add(shipped_sources(data_dir, board));
+  return list.digest();
 }
 
 }  // namespace finemote::gen

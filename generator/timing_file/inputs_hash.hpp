@@ -29,4 +29,7 @@ struct TimingState {
 /// @param access  to the user's folders
 TimingState timing_state(const TimingInputs& inputs, const files::Access& access);
 
+/// SHA-256 of what is shipped of it: the runtime for a board, and the files that build it.
+std::string shipped_digest(const std::string& data_dir, const std::string& board);
+
 }  // namespace finemote::gen
