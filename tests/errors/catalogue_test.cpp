@@ -55,7 +55,6 @@ std::set<int> example_codes() {
 const std::map<int, std::string> kWithoutExample{
     {2016, "the numbers read are checked before they are computed with; constants_test writes one that no float holds"},
     {6101, "the build makes images that can be read; image_test cuts and disturbs one"},
-    {6107, "a run links with the stack that is needed; image_test reads an image with less"},
     {9001, "a defect of the tool: an input that led there would be mended"},
 };
 
