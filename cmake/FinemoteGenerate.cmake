@@ -87,7 +87,7 @@ function(finemote_generate_in_build target words beside folder list)
   endforeach()
 endfunction()
 
-# Sources that lie in `folder`, as its manifest lists them; the test NAME-check holds them to the robot, and the target NAME-fresh.
+# Sources that lie in `folder`, as its manifest lists them; the test NAME-check and the target NAME-fresh hold them to the robot.
 function(finemote_use_committed target words folder result)
   get_target_property(program finemote::finemote IMPORTED_LOCATION)
   list(JOIN words " " command)
