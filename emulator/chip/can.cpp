@@ -55,6 +55,7 @@ void Can::reset() {
   initialising_ = true;  // asleep
   acknowledged_ = error_flag_ = false;
   mailboxes_ = {};
+  offered_.reset();
   fifos_ = {};
   if (!second_) filters_ = CanFilters{};
   update();
@@ -93,27 +94,43 @@ const Can::Mailbox* Can::most_urgent() const {
   return best;
 }
 
-std::optional<CanFrame> Can::next() const {
+std::optional<CanFrame> Can::next() {
+  offered_.reset();
   const Mailbox* mailbox = on_bus() ? most_urgent() : nullptr;
-  return mailbox == nullptr ? std::nullopt : std::optional(mailbox->frame());
+  if (mailbox == nullptr) return std::nullopt;
+  offered_ = static_cast<unsigned>(mailbox - mailboxes_.data());
+  return mailbox->frame();
 }
+
+/// The line asks for no other frame before the end of the one that won.
+bool Can::is_on_wire(unsigned mailbox) { return wire().sender() == kOwnNode && offered_ == mailbox; }
 
 void Can::sent(const CanFrame& frame, CanOutcome outcome) {
   const bool ok = outcome == CanOutcome::received;
   if (!ok) count_error(outcome);
-  if (!ok && (mcr_ & kNoRetransmission) == 0) return;  // the mailbox tries again
   if (ok && transmit_errors_ > 0) --transmit_errors_;
-  const Mailbox* sender = nullptr;
-  for (const Mailbox& mailbox : mailboxes_) {
-    const bool is_it = mailbox.waiting && mailbox.words[0] >> 21 == frame.id;
-    if (is_it && (sender == nullptr || goes_before(mailbox, *sender))) sender = &mailbox;
-  }
-  if (sender != nullptr) {
-    const auto index = static_cast<unsigned>(sender - mailboxes_.data());
-    mailboxes_[index].waiting = false;
-    completed_ |= (ok ? 3U : 9U) << (8 * index);  // RQCP with TXOK or TERR
-  }
+  // Not so after a reset in the middle of the frame.
+  if (offered_ && mailboxes_[*offered_].words[0] >> 21 == frame.id) complete(*offered_, ok);
   update();
+}
+
+/// A failed one tries again, unless the controller or an abort forbids it: RM0090 32.7.1.
+void Can::complete(unsigned index, bool ok) {
+  Mailbox& mailbox = mailboxes_[index];
+  if (!ok && (mcr_ & kNoRetransmission) == 0 && !mailbox.aborting) return;
+  mailbox.waiting = mailbox.aborting = false;
+  completed_ |= (ok ? 3U : 9U) << (8 * index);  // RQCP with TXOK or TERR
+}
+
+/// At once, but the frame on the wire goes on: its mailbox is empty at its end, with TXOK if it was sent after all, and
+/// does not try again if it was not: RM0090 32.7.1.
+void Can::abort(unsigned index) {
+  Mailbox& mailbox = mailboxes_[index];
+  if (!mailbox.waiting) return;
+  mailbox.aborting = is_on_wire(index);
+  if (mailbox.aborting) return;
+  mailbox.waiting = false;
+  completed_ |= 1U << (8 * index);  // RQCP alone
 }
 
 /// A failed transmission: eight more; above 255 the controller leaves the bus. Not so when nobody acknowledges an
@@ -277,6 +294,7 @@ void Can::write_mailbox(unsigned index, unsigned word, std::uint32_t value) {
   if (word != 0 || (value & 1) == 0) return;
   if ((value & 6) != 0) world_.report(Misuse::unmodelled, name() + " extended or remote frame");
   mailbox.waiting = true;
+  mailbox.aborting = false;
   mailbox.request = ++requests_;
   completed_ &= ~(0xFU << (8 * index));  // a request to transmit clears it: RM0090 32.9.2
   wire().request();
@@ -285,10 +303,7 @@ void Can::write_mailbox(unsigned index, unsigned word, std::uint32_t value) {
 void Can::write_transmit_status(std::uint32_t value) {
   for (unsigned i = 0; i < 3; ++i) {
     if ((value >> (8 * i) & 1) != 0) completed_ &= ~(0xFU << (8 * i));
-    if ((value >> (8 * i + 7) & 1) != 0 && mailboxes_[i].waiting) {
-      mailboxes_[i].waiting = false;
-      completed_ |= 1U << (8 * i);
-    }
+    if ((value >> (8 * i + 7) & 1) != 0) abort(i);
   }
 }
 

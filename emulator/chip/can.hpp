@@ -34,6 +34,7 @@ class Can : public Peripheral {
     std::array<std::uint32_t, 4> words{};
     std::array<WordTags, 4> tags{};
     bool waiting = false;
+    bool aborting = false;      ///< goes empty at the end of the transmission under way, whatever becomes of that
     std::uint64_t request = 0;  ///< counts requests to transmit
     [[nodiscard]] CanFrame frame() const;
   };
@@ -48,13 +49,16 @@ class Can : public Peripheral {
   [[nodiscard]] bool on_bus() const { return !initialising_ && !bus_off(); }
   [[nodiscard]] const Mailbox* most_urgent() const;
   [[nodiscard]] bool goes_before(const Mailbox& a, const Mailbox& b) const;
-  [[nodiscard]] std::optional<CanFrame> next() const;
+  std::optional<CanFrame> next();
+  [[nodiscard]] bool is_on_wire(unsigned mailbox);
   [[nodiscard]] std::uint32_t transmit_status() const;
   void write_transmit_status(std::uint32_t value);
   void write_mailbox(unsigned index, unsigned word, std::uint32_t value);
   [[nodiscard]] std::uint32_t fifo_status(const Fifo& fifo) const;
   void write_fifo(Fifo& fifo, std::uint32_t value);
   void sent(const CanFrame& frame, CanOutcome outcome);
+  void complete(unsigned index, bool ok);
+  void abort(unsigned index);
   void received(const CanFrame& frame);
   void count_error(CanOutcome outcome);
   void recover();
@@ -80,6 +84,7 @@ class Can : public Peripheral {
   bool acknowledged_ = false;  ///< INAK
   bool initialising_ = true, error_flag_ = false;
   std::array<Mailbox, 3> mailboxes_{};
+  std::optional<unsigned> offered_;  ///< the mailbox that took part in the last arbitration
   std::uint64_t requests_ = 0;
   std::array<Fifo, 2> fifos_{};
 };
