@@ -7,6 +7,7 @@
 #include "emulator/outfit/figures.hpp"
 #include "emulator/outfit/models.hpp"
 #include "emulator/outfit/rows.hpp"
+#include "emulator/outfit/sampling.hpp"
 #include "emulator/outfit/seat.hpp"
 #include "emulator/plants/heated_mass.hpp"
 #include "emulator/scenario/check.hpp"
@@ -18,14 +19,20 @@ namespace {
 
 using namespace scenario;
 
+/// How far the rates of samples may be off: 5 %, data sheet BST-BMI088-DS001 1.2, table 3. That is about the
+/// accelerometer, and is taken for the gyroscope too.
+constexpr double kDataRatePpm = 50'000;
+
 class Bmi088Element : public SeatedElement {
  public:
   Bmi088Element(Outfit& outfit, const Json& part, const std::string& name)
       : SeatedElement(outfit, part, name),
         mass({need<double>(part, "ambient"), need<double>(part, "heater_rise"),
               need<double>(part, "heater_time_constant")}),
+        clock(own_clock(part_clock(), part)),
         model(
-            part_clock(), [this](Time at) { return motion(at); }, [this](Time at) { return mass.temperature(at); }),
+            clock.part_clock(), [this](Time at) { return motion(clock.board(at)); },
+            [this](Time at) { return mass.temperature(clock.board(at)); }),
         part_(part) {
     const auto port = need<std::string>(part, "port");
     const auto accelerometer = need<unsigned>(part, "channel"), gyroscope = need<unsigned>(part, "gyro");
@@ -40,7 +47,7 @@ class Bmi088Element : public SeatedElement {
     model.on_output = [this](Bmi088::Output output, int level) { drive(output, level); };
     // Channel 0: rates, 1: acceleration.
     model.on_sample = [this](Bmi088::Quantity quantity, Time from) {
-      return begin_sample(static_cast<unsigned>(quantity), from);
+      return begin_sample(static_cast<unsigned>(quantity), clock.board(from));
     };
     model.on_read = [this](Bmi088::Quantity quantity, Tag sample) {
       ++reads[static_cast<std::size_t>(quantity)];
@@ -63,6 +70,7 @@ class Bmi088Element : public SeatedElement {
 
   HeatedMass mass;
   std::array<std::uint64_t, 2> reads{};  ///< of rates, of acceleration
+  OwnClock clock;                        ///< of both chips; `model` counts by it, all others by the board's
   Bmi088 model;
 
  private:
@@ -161,7 +169,8 @@ Model bmi088() {
   return {
       .type = "bmi088",
       .summary = "two chips, their wake-up, ranges, rates and sensor time, data-ready outputs and temperature",
-      .figures = bmi088_figures() + seat(),
+      .figures = bmi088_figures() + sampling() + seat(),
+      .clock_tolerance_ppm = kDataRatePpm,
       .verbs = bmi088_verbs(),
       .values = bmi088_values(),
       .make = Bmi088Row::make,

@@ -1,5 +1,7 @@
 #include "emulator/outfit/figures.hpp"
 
+#include "emulator/outfit/sampling.hpp"
+
 namespace finemote::emulator {
 
 using namespace scenario;
@@ -11,8 +13,7 @@ std::vector<Member> serial_line() {
 
 std::vector<Member> pace(double period_ns) {
   return {usually(period_ns, integer("period_ns", "ns", "between two frames", 1, kLongest)),
-          integer("phase_ns", "ns", "of the first", 0, kLongest),
-          usually(0, number("clock_ppm", "ppm", "how much faster its clock runs than the board's", -2e5, 2e5))};
+          integer("phase_ns", "ns", "of the first", 0, kLongest), clock_error()};
 }
 
 std::vector<Member> i2c_place() {

@@ -4,6 +4,7 @@
 #include "emulator/outfit/figures.hpp"
 #include "emulator/outfit/models.hpp"
 #include "emulator/outfit/rows.hpp"
+#include "emulator/outfit/sampling.hpp"
 #include "emulator/outfit/seat.hpp"
 
 namespace finemote::emulator {
@@ -16,11 +17,12 @@ class CompassElement : public SeatedElement {
   CompassElement(Outfit& outfit, const Json& part, const std::string& name)
       : SeatedElement(outfit, part, name),
         field(vector(part, "field")),
-        model(need<std::uint8_t>(part, "address"), part_clock(),
-              [this](Time at) { return Eigen::Vector3d(motion(at).attitude.conjugate() * field); }) {
+        clock(own_clock(part_clock(), part)),
+        model(need<std::uint8_t>(part, "address"), clock.part_clock(),
+              [this](Time at) { return Eigen::Vector3d(motion(clock.board(at)).attitude.conjugate() * field); }) {
     model.on_read = [this](Time from) {
       ++reads;
-      return record_sample(from, now());
+      return record_sample(clock.board(from), now());
     };
     outfit.line_of(part).attach(model);
     if (maybe<std::string>(part, "port", "") != "i2c3") return;
@@ -32,6 +34,7 @@ class CompassElement : public SeatedElement {
 
   Eigen::Vector3d field;  ///< in the world's axes [T]
   std::uint64_t reads = 0;
+  OwnClock clock;  ///< `model` counts by it, all others by the board's
   Ist8310 model;
 };
 
@@ -53,9 +56,10 @@ Model ist8310() {
   return {
       .type = "ist8310",
       .summary = "earth's magnetic field in the sensor's axes; reset and data-ready pins on `i2c3`",
-      .figures =
-          i2c_place() + std::vector{address(0x0E)} + seat() + std::vector{usually({20e-6, 0, -45e-6}, earths_field())},
+      .figures = i2c_place() + std::vector{address(0x0E)} + sampling() + seat() +
+                 std::vector{usually({20e-6, 0, -45e-6}, earths_field())},
       .one_of = i2c_where(),
+      .clock_tolerance_ppm = kResonatorTolerancePpm,
       .verbs = {Row::fault("silent", "does not answer", {until()}, silence),
                 violating("recovery", Row::fault("power_cycle", "loses its settings", {}, power_cycle)),
                 with_member(Row::stimulus("move", "holds it in this pose; it no longer follows its body",

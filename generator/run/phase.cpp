@@ -42,9 +42,15 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
+/// Of a sensor whose registers say how often it samples: the slowest rate there is, 12.5 Hz of the BMI088 (its data
+/// sheet, ACC_CONF). All others of it and of the IST8310 are multiples of that: with a phase from all of it, each has
+/// any phase.
+constexpr double kSlowestSampling = 80e6;
+
 double usual_period(const scenario::Model& model, const Json& part) {
   if (part.contains("period_ns")) return part.at("period_ns").get<double>();
-  return Json::parse(scenario::find_member(model.figures, "period_ns")->usual).get<double>();
+  const scenario::Member* period = scenario::find_member(model.figures, "period_ns");
+  return period == nullptr ? kSlowestSampling : Json::parse(period->usual).get<double>();
 }
 
 }  // namespace
