@@ -49,8 +49,8 @@ constexpr std::uint8_t kSettingCount = sizeof kSettings / sizeof kSettings[0];
 constexpr float kAccelScale = 6 * 9.80665F / 32768;          ///< m/s^2
 constexpr float kGyroScale = 2000 * 0.01745329252F / 32768;  ///< rad/s
 
-/// What a read of the accelerometer brings is at most that old: 800 Hz, 5 % slow (data sheet 1.2, table 3).
-constexpr Duration kAccelAge = 1'313 * kMicrosecond;
+/// What a read of the accelerometer brings is at most that old: a period of 800 Hz less 5 % (data sheet 1.2, table 3).
+constexpr Duration kAccelAge = 1'316 * kMicrosecond;
 
 /// A step of the sensor time (data sheet 5.3.5).
 constexpr Duration kChipTimeStep = 39'063;

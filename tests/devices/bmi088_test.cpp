@@ -11,7 +11,7 @@ namespace {
 using namespace finemote;
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr Duration kAccelAge = 1'313 * kMicrosecond;  // 800 a second, 5 % slow
+constexpr Duration kAccelAge = 1'316 * kMicrosecond;  // a period of 800 a second less 5 %
 
 /// One of the two chips: registers, and how many bytes without meaning come before the data of a read.
 struct Chip : host::SpiPart {
