@@ -136,9 +136,15 @@ class Verdicts(unittest.TestCase):
         held, broken = {"judged": "held"}, {"judged": "broken"}
         excused = {"judged": "broken", "assumption": "bus-errors"}
         chain = {"from": "eye", "to": "foot", **dict.fromkeys(judge.KINDS, held)}
-        for wire, claim, said in ((held, held, []), (excused, excused, []), (broken, held, ["eye -> foot wire"]), (held, broken, ["eye claims"])):
+        fine = {"chains": [chain], "responses": [], "jitter": [], "claims": [], "loops": [], "order": {"mistake": None}}
+        for differs, said in (({}, []),
+                              ({"chains": [{**chain, "wire": excused}], "claims": [{"device": "eye", **excused}]}, []),
+                              ({"chains": [{**chain, "wire": broken}]}, ["eye -> foot wire"]),
+                              ({"claims": [{"device": "eye", **broken}]}, ["eye claims"]),
+                              ({"loops": [{"function": "f", **broken}]}, ["loop in f"]),
+                              ({"order": {"mistake": "eye runs twice"}}, ["order: eye runs twice"])):
             judged = judge.Judge(analysis())
-            judged.take_document({"chains": [{**chain, "wire": wire}], "responses": [], "jitter": [], "claims": [{"device": "eye", **claim}]})
+            judged.take_document({**fine, **differs})
             self.assertEqual([line.split(" is")[0] for line in judged.broken], said)
 
     def test_what_has_no_sample_does_not_count(self):

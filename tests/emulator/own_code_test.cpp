@@ -88,7 +88,7 @@ TEST_CASE("flash-write: an erased sector makes the watchdog restart code in flas
   const ProbeRun in_flash = ProbeRobot(kErase, 400'000, kUrgentDevice, "flash").run();
   CHECK(in_flash.exit_status == 1);
   CHECK(in_flash.document["resets"] == 1);
-  CHECK(in_flash.counts_only("board", 6, 1));
+  CHECK(in_flash.document["fault_counts"].empty());  // the start that counts it waits for the flash until the end
   const ProbeRun in_sram = ProbeRobot(kErase, 400'000, kUrgentDevice).run();
   CHECK(in_sram.exit_status == 0);
   CHECK(in_sram.counts_nothing());
