@@ -110,7 +110,8 @@ TEST_CASE("a section of an empty list, or of what is false, leaves no second bla
 TEST_CASE("a hole that nobody fills is a bug, and names itself") {
   CHECK_THROWS_WITH(filled("{{y}}\n", Data("x", "1")),
                     "template emit_test.in names 'y', which the emitter does not provide");
-  CHECK_THROWS_WITH(Templates("/nowhere").fill("t.in", Data("x", "1")), "cannot read '/nowhere/t.in', which belongs to finemote");
+  CHECK_THROWS_WITH(Templates("/nowhere").fill("t.in", Data("x", "1")),
+                    "cannot read '/nowhere/t.in', which belongs to finemote");
 }
 
 TEST_CASE("a tag without an end is a bug, and names itself") {
