@@ -108,8 +108,8 @@ function(finemote_use_committed target words folder result)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${manifest})
   add_custom_target(${target}-generate COMMAND ${program} generate ${words} -o ${folder} VERBATIM)
   add_test(NAME ${target}-check COMMAND ${program} check ${words} -o ${folder})
-  add_custom_target(${target}-fresh COMMAND ${program} -q check ${words} -o ${folder} VERBATIM
-                    COMMENT "Holding ${folder} to the robot (not with -DFINEMOTE_FLASH_STALE=ON)")
+  add_custom_target(${target}-fresh COMMAND ${CMAKE_COMMAND} -DPROGRAM=${program} "-DWORDS=${words}" -DFOLDER=${folder}
+                    -P ${FINEMOTE_ROOT}/cmake/scripts/fresh.cmake VERBATIM COMMENT "Holding ${folder} to the robot")
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
 

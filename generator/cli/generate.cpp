@@ -104,6 +104,7 @@ bool are_apart(const Options& options, const Output& output, const Robot& robot,
   const bool is_fine = check_outputs(planned, sources, diagnostics);
   if (options.depfile.empty() || !is_fine) return is_fine;
   const std::vector<std::string> compiled = user_files(robot, sources.access());
+  if (options.dry_run) return check_outputs({{options.depfile, "--depfile"}}, sources, diagnostics, compiled);
   return check_results({{options.depfile, "--depfile"}}, sources, diagnostics, compiled, options.out);
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include "generator/cli/answer.hpp"
@@ -89,7 +90,7 @@ Answer run_import(const Options& options, Sources& sources, Diagnostics& diagnos
   if (!options.out.empty()) {
     const SourceFile& file = sources.files().front();
     const std::string text = with_element(file.text, proposal.text);
-    const auto mark = mark_before(file, sources, diagnostics);
+    const auto mark = file.path.empty() ? std::optional(std::string()) : mark_before(file, sources, diagnostics);
     check_outputs({{options.out, "-o"}}, sources, diagnostics);
     if (diagnostics.has_errors() || !write_result(options.out, *mark + text, diagnostics)) return no_answer();
   }

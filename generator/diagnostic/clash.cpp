@@ -75,6 +75,13 @@ bool is_below(const std::string& path, const std::string& folder) {
   return !failed && *whole.lexically_relative(above).begin() != "..";
 }
 
+/// Whether the folder of a file is made together with the folder `made`, above which it lies.
+bool is_made_with(const std::string& path, const std::string& made) {
+  const fs::path folder = behind_links(path).parent_path();
+  std::error_code unknown;
+  return !folder.empty() && !fs::exists(folder, unknown) && is_below(made, folder.generic_string());
+}
+
 void report_unwritable(const PlannedFile& file, const std::string& reason, Diagnostics& diagnostics) {
   const fs::path folder = behind_links(file.path).parent_path();
   std::error_code unknown;
@@ -115,7 +122,8 @@ bool check_results(std::vector<PlannedFile> results, Sources& sources, Diagnosti
       results.end());
   bool is_fine = check_outputs(results, sources, diagnostics, others);
   for (const PlannedFile& file : results) {
-    const auto reason = is_below(file.path, made) ? std::nullopt : why_not_replaced(file.path);
+    const bool comes = is_below(file.path, made) || (!made.empty() && is_made_with(file.path, made));
+    const auto reason = comes ? std::nullopt : why_not_replaced(file.path);
     if (reason) report_unwritable(file, *reason, diagnostics);
     is_fine &= !reason;
   }

@@ -2,6 +2,7 @@
 // compiler would take the first it finds for both.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -31,6 +32,13 @@ std::vector<NamedHeader> user_types(const Reading& reading) {
   return uses;
 }
 
+bool is_one_file(const NamedHeader& a, const NamedHeader& b) {
+  std::error_code unknown;
+  return a.include_dir == b.include_dir ||
+         std::filesystem::equivalent(std::filesystem::path(a.include_dir) / a.include,
+                                     std::filesystem::path(b.include_dir) / b.include, unknown);
+}
+
 }  // namespace
 
 void check_headers(Reading& reading) {
@@ -38,7 +46,7 @@ void check_headers(Reading& reading) {
   std::set<std::string> reported;            // types
   for (const NamedHeader& use : user_types(reading)) {
     const auto [known, is_new] = first.emplace(use.include, use);
-    if (is_new || known->second.include_dir == use.include_dir || !reported.insert(use.type).second) continue;
+    if (is_new || is_one_file(known->second, use) || !reported.insert(use.type).second) continue;
     at_value(reading.diagnostics, code::descriptor_contradiction, *use.at,
              fmt::format("types '{}' and '{}' have different headers of the same name '{}'", known->second.type,
                          use.type, use.include))

@@ -51,14 +51,17 @@ bool check_bus(const Bus& bus, const Port& port, const timing::Model& model, con
   return holds;
 }
 
-/// What one run of a routine of the bus counts for at most.
+/// What one run of a routine of the bus counts for at most: it may serve all its causes at once, or on CAN as many
+/// frames as a mailbox keeps.
 Duration longest_counted(const timing::Bus& bus) {
   const std::int64_t at_once = bus.arbitrated ? kMailbox : 1;
   if (!bus.sources) return at_once * bus.wcet;
-  Duration longest;
-  for (const timing::InterruptSource& source : *bus.sources)
+  Duration longest, sum;
+  for (const timing::InterruptSource& source : *bus.sources) {
     longest = std::max(longest, (source.name == "request" ? 1 : at_once) * source.wcet);  // one has all its frames
-  return longest;
+    if (!source.steals) sum += source.wcet;
+  }
+  return std::max(longest, sum);
 }
 
 /// @param who  whose routine it is, in words
@@ -115,11 +118,11 @@ bool check_pins(const PinLine& line, const timing::Model& model, const RunRecord
   return false;
 }
 
-/// Whether what the analysis counts has to hold in this run: what faults make drivers do takes longer, and so does
-/// every fetch that misses where times were not computed from the image (assumption `flash`).
+/// Whether what the analysis counts has to hold in this run: what faults and missing parts make drivers do takes
+/// longer, and so does every fetch that misses where times were not computed from the image (assumption `flash`).
 bool counts(const timing::Model& model, const RunRecord& record) {
   const bool hits = record.flash != "miss" || model.costs.source == timing::WcetSource::computed;
-  return record.violated.empty() && hits;
+  return hits && record.violated.empty() && record.silent.empty() && record.absent.empty();
 }
 
 }  // namespace

@@ -22,13 +22,13 @@ std::optional<ProvenImage> make_once(const Project& project, const Robot& robot,
   return ProvenImage{std::move(*path), std::move(*facts)};
 }
 
-/// A project of the user's own is not linked here, and overflows at run time.
-void warn_of_reserve(std::uint32_t needed, std::uint32_t reserved, std::uint32_t linked, Diagnostics& diagnostics) {
+/// A project of the user's own is not linked here: nobody knows what it reserves.
+void tell_of_reserve(std::uint32_t needed, std::uint32_t reserved, std::uint32_t linked, Diagnostics& diagnostics) {
   diagnostics
-      .warning(code::stack_too_small, {},
-               fmt::format("the stack needs {} bytes in the worst case: this image reserves {}, and a project without "
-                           "STACK {}",
-                           needed, linked, reserved))
+      .remark(code::stack_too_small, {},
+              fmt::format("the stack needs {} bytes in the worst case: this image reserves {}, and a project without "
+                          "STACK {}",
+                          needed, linked, reserved))
       .hint(fmt::format("in finemote_add_firmware(...) write STACK {}", linked));
 }
 
@@ -42,7 +42,7 @@ std::optional<ProvenImage> make_proven_image(const Project& project, const Robot
     FirmwareRequest request = project.request;
     request.stack = rounded_stack(*image->facts.stack);
     said = Diagnostics();
-    warn_of_reserve(*image->facts.stack, image->facts.stack_reserved, request.stack, said);
+    tell_of_reserve(*image->facts.stack, image->facts.stack_reserved, request.stack, said);
     image = make_once(make_project(request, project.generated, robot, parts), robot, sources, said);
   }
   for (const Diagnostic& finding : said.in_file_order()) diagnostics.add(finding);

@@ -9,3 +9,4 @@ finemote tree behind.out.urdf >/dev/null 2>said; grep -c FM1001 said
 printf '<?xml version="1.0" encoding="ISO-8859-1"?>\n<robot name="r"><!-- gr\xfc\xdfe --><ros2_control name="a" type="system"/></robot>\n' >latin.urdf
 finemote import latin.urdf -o latin.out.urdf -q
 ls latin.out.urdf 2>/dev/null
+finemote import - -o piped.urdf -q <behind.urdf; grep -c '<finemote' piped.urdf

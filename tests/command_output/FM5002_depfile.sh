@@ -5,3 +5,4 @@ X
 finemote generate robot.urdf -o out --depfile nowhere/robot.d
 ls -d out nowhere 2>/dev/null
 finemote generate robot.urdf -o out --depfile out/robot.d -q && ls out/robot.d
+finemote generate robot.urdf -o new/out --depfile new/robot.d -q && ls new

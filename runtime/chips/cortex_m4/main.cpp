@@ -73,8 +73,8 @@ void stop_safely(Module module, std::uint8_t number, const char* text) {
 int main() {
   using namespace finemote;
   cortex_m4::start_guards();
+  const bool restarted_unasked = board::restarted_unasked();  // first: what fails below would leave the cause in place
   board::start_hardware();
-  const bool restarted_unasked = board::restarted_unasked();
   cortex_m4::start_cycles(0);  // bus start-up measures its bounded waits with it
   detail::start_robot(finemote_schedule, kTimer);
   settle(finemote_schedule);

@@ -11,7 +11,7 @@ namespace finemote::board {
 /// Clocks, power, flash: everything before the first bus. Called once, first thing in main. Bounded waits only.
 void start_hardware();
 
-/// Whether a watchdog or a sagging supply restarted the board, which it then counts as a fault. Called once, after
+/// Whether a watchdog or a sagging supply restarted the board, which it then counts as a fault. Called once, before
 /// start_hardware(). False on a board that cannot tell.
 bool restarted_unasked();
 
