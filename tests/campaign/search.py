@@ -35,7 +35,7 @@ FIRST_LINE, LINE = 16, "finemote_line_"  # exception of interrupt line 0; routin
 NOT_NEEDED = (*audit.NOT_NEEDED, '"what":"due"', '"what":"sample"', '"what":"used"', '"what":"output"', '"what":"superseded"')
 
 #: Where bounds are too small on purpose: so far from what the plain stimuli reach to the bound. They never come there.
-INJECTED = 0.3
+INJECTED = 0.25
 
 CYCLE_NS = 1e3 / 168
 

@@ -87,7 +87,7 @@ class Bounds(unittest.TestCase):
         figure = search.Figure(100)
         figure.plain = figure.longest = 50
         row = search.Row("robot", ("eye", "update"), figure, "camera", None)
-        self.assertEqual((row.held_to(False), row.held_to(True)), (100, 65))
+        self.assertEqual((row.held_to(False), row.held_to(True)), (100, 62.5))
 
 
 class Search(unittest.TestCase):
