@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "generator/file/installed_file.hpp"
-#include "generator/output/folder.hpp"
 #include "generator/run/program_folder.hpp"
 
 namespace finemote::gen {
@@ -44,12 +43,12 @@ std::string find_data_dir(const std::string& wanted, Diagnostics& diagnostics) {
 }
 
 std::optional<std::string> read_data_file(const std::string& path, Diagnostics& diagnostics) {
-  auto text = read_bytes(path);
-  if (!text) {
-    diagnostics.error(code::data_not_found, {}, fmt::format("cannot read '{}', which belongs to finemote", path))
-        .hint(kInstallAgain);
+  try {
+    return read_installed(path);
+  } catch (const DamagedInstallation& damage) {
+    diagnostics.error(code::data_not_found, {}, damage.what()).hint(kInstallAgain);
+    return std::nullopt;
   }
-  return text;
 }
 
 }  // namespace finemote::gen

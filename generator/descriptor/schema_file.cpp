@@ -24,10 +24,7 @@ std::optional<SchemaFile> read_one(const std::filesystem::path& path, Diagnostic
   text << in.rdbuf();
   SchemaFile schema{text.str(), Json::parse(text.str(), nullptr, /*allow_exceptions*/ false)};
   if (schema.value.is_object()) return schema;
-  diagnostics
-      .error(code::data_not_found, {},
-             fmt::format("cannot read '{}', which belongs to finemote", path.generic_string()))
-      .hint(kInstallAgain);
+  diagnostics.error(code::data_not_found, {}, DamagedInstallation(path.generic_string()).what()).hint(kInstallAgain);
   return {};
 }
 

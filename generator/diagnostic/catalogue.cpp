@@ -3,23 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
-#include "generator/diagnostic/render.hpp"
+#include "generator/file/installed_file.hpp"
 
 namespace finemote::gen {
 namespace fs = std::filesystem;
-namespace {
-
-std::string read(const fs::path& page) {
-  std::ifstream in(page, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-}  // namespace
 
 std::string title_of(const std::string& page) {
   const std::string first = page.substr(0, page.find('\n'));
@@ -43,7 +31,7 @@ std::vector<CatalogueEntry> list_catalogue(const std::string& folder) {
   for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
     const auto code = entry->path().extension() == ".md" ? parse_code(entry->path().stem().string()) : std::nullopt;
     if (!code) continue;
-    entries.push_back({*code, title_of(read(entry->path()))});
+    entries.push_back({*code, title_of(read_installed(entry->path().string()))});
   }
   std::sort(entries.begin(), entries.end(),
             [](const CatalogueEntry& a, const CatalogueEntry& b) { return a.code.number < b.code.number; });

@@ -22,9 +22,6 @@ Duration longest_of(const RunRecord& record, std::uint32_t exception) {
   return found == record.routine_times.end() ? Duration::zero() : found->longest;
 }
 
-/// What a run may take that the model says takes this long: entry and exit are in what was seen.
-bool is_above(Duration seen, Duration wcet, const timing::Model& model) { return seen > wcet + model.costs.interrupt; }
-
 /// Frames that a mailbox of bxCAN keeps: RM0090 32.7.4.
 constexpr std::int64_t kMailbox = 3;
 
@@ -32,23 +29,6 @@ constexpr std::int64_t kMailbox = 3;
 std::int64_t frames_at_once(const Bus& bus, const InterruptLine& line) {
   const bool receives = line.name.find("_RX") != std::string::npos;
   return receives && bus_type(bus.kind).is_arbitrated ? kMailbox : 1;
-}
-
-bool check_bus(const Bus& bus, const Port& port, const timing::Model& model, const RunRecord& record,
-               Diagnostics& diagnostics) {
-  bool holds = true;
-  for (const InterruptLine& line : port.interrupts) {
-    const Duration seen = longest_of(record, exception_of(line.number));
-    if (!is_above(seen, frames_at_once(bus, line) * *bus.isr_wcet, model)) continue;
-    holds = false;
-    diagnostics
-        .error(code::wcet_exceeded, bus.at,
-               fmt::format(
-                   "bus '{}': its routine for {} took {} us by itself, entry and exit included, its isr_wcet is {}",
-                   bus.name.text, line.name, seen.ns() / 1000.0, units::format_duration(*bus.isr_wcet)))
-        .hint("leave isr_wcet out: then the figures of the driver count");
-  }
-  return holds;
 }
 
 /// What one run of a routine of the bus counts for at most: it may serve all its causes at once, or on CAN as many
@@ -76,26 +56,39 @@ bool check_counted(const std::string& who, Duration seen, Duration counted, cons
   return false;
 }
 
-bool check_undeclared(const Bus& bus, const Port& port, const timing::Bus& counted, const timing::Model& model,
-                      const RunRecord& record, Diagnostics& diagnostics) {
+bool check_declared(const std::string& who, Duration seen, Duration allowed, const Bus& bus, Diagnostics& diagnostics) {
+  if (seen <= allowed) return true;
+  diagnostics
+      .error(code::wcet_exceeded, bus.at,
+             fmt::format("{} took {} us by itself, entry and exit included, its isr_wcet is {}", who,
+                         seen.ns() / 1000.0, units::format_duration(*bus.isr_wcet)))
+      .hint("leave isr_wcet out: then the figures of the driver count");
+  return false;
+}
+
+/// @param is_declared  the bounds rest on the robot's `isr_wcet`
+bool check_bus(const Bus& bus, const Port& port, const timing::Bus& counted, bool is_declared,
+               const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics) {
   bool holds = true;
   for (const InterruptLine& line : port.interrupts) {
     const std::string who = fmt::format("bus '{}': its routine for {}", bus.name.text, line.name);
-    holds = check_counted(who, longest_of(record, exception_of(line.number)),
-                          longest_counted(counted) + model.costs.interrupt, bus.at, diagnostics) &&
+    const Duration seen = longest_of(record, exception_of(line.number));
+    const Duration wcet = is_declared ? frames_at_once(bus, line) * *bus.isr_wcet : longest_counted(counted);
+    const Duration allowed = wcet + model.costs.interrupt;
+    holds = (is_declared ? check_declared(who, seen, allowed, bus, diagnostics)
+                         : check_counted(who, seen, allowed, bus.at, diagnostics)) &&
             holds;
   }
   return holds;
 }
 
 bool check_release(const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics) {
-  constexpr std::uint32_t kSysTick = 15;
   std::set<Duration> periods;
   for (const timing::Device& device : model.devices) periods.insert(device.period);
   const Duration counted =
       model.costs.release + static_cast<std::int64_t>(periods.size()) * model.costs.release_per_bucket;
-  return check_counted("the release interrupt", longest_of(record, kSysTick), counted, timing::at_first_device(model),
-                       diagnostics);
+  return check_counted("the release interrupt", longest_of(record, kSysTickException), counted,
+                       timing::at_first_device(model), diagnostics);
 }
 
 /// Whether the bounds rest on what the robot says of the routines of its bus.
@@ -108,7 +101,7 @@ bool is_declared(const timing::Bus& bus) {
 
 bool check_pins(const PinLine& line, const timing::Model& model, const RunRecord& record, Diagnostics& diagnostics) {
   const Duration seen = longest_of(record, line.exception);
-  if (!line.is_assumed || !is_above(seen, line.wcet, model)) return true;
+  if (!line.is_assumed || seen <= line.wcet + model.costs.interrupt) return true;
   diagnostics
       .error(code::wcet_exceeded, line.at,
              fmt::format("the routine for the pins of {} took {} us by itself, entry and exit included, where {} are "
@@ -137,11 +130,9 @@ bool check_routines(const Robot& robot, const timing::Model& model, const RunRec
     const auto place = places.of(id);
     if (port == nullptr || !place) continue;
     const timing::Bus& counted = model.buses[*place];
-    if (bus.isr_wcet && is_declared(counted)) {
-      holds = check_bus(bus, *port, model, record, diagnostics) && holds;
-    } else if (counts(model, record)) {
-      holds = check_undeclared(bus, *port, counted, model, record, diagnostics) && holds;
-    }
+    const bool declares = bus.isr_wcet && is_declared(counted);
+    if (declares || counts(model, record))
+      holds = check_bus(bus, *port, counted, declares, model, record, diagnostics) && holds;
   }
   if (counts(model, record)) holds = check_release(model, record, diagnostics) && holds;
   for (const PinLine& line : pin_lines(robot, model, record.traffic_window))

@@ -16,7 +16,7 @@ struct ProvenImage {
 };
 
 /// Writes the files and builds; where the proven stack does not fit what the board reserves, once more with room for
-/// it, and FM6107 as a warning. Reports what make_image and image_facts report.
+/// it, and FM6107 as a note. Reports what make_image and image_facts report.
 /// @param parts  as for make_project
 std::optional<ProvenImage> make_proven_image(const Project& project, const Robot& robot, const EmulatedParts* parts,
                                              Sources& sources, Diagnostics& diagnostics);

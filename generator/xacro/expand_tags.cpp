@@ -102,7 +102,6 @@ void Expander::expand_attribute(const Node& source, const Context& context, Sink
   attribute.name = evaluator_.text_of(name.value, attribute.at, *context.scope);
   attribute.value = evaluator_.text_of(value.value, attribute.value_at, *context.scope);
   insist_on_name(source, attribute.name, attribute.at);
-  insist_on_characters(attribute.value, attribute.value_at);
   set_attribute(out.element, std::move(attribute));
 }
 

@@ -113,7 +113,6 @@ void Expander::expand_text(const Node& source, const Context& context, Sink& out
   text.kind = Node::Kind::text;
   text.at = context.place(source.at);
   text.text = evaluator_.text_of(source.text, text.at, *context.scope);
-  insist_on_characters(text.text, text.at);
   output_.add(std::move(text), out);
 }
 
@@ -127,7 +126,6 @@ void Expander::expand_comment(const Node& source, const Context& context, Sink& 
   comment.at = context.place(source.at);
   if (is_evaluated) {
     comment.text = evaluator_.text_of(source.text, comment.at, *context.scope);
-    insist_on_characters(comment.text, comment.at);
     if (!xml::is_comment_text(comment.text))
       throw Failure{code::xacro_no_xml, "a comment cannot hold '--' or end with '-'", comment.at};
   }
@@ -139,9 +137,7 @@ void Expander::expand_attributes(const Node& source, const Context& context, Nod
   for (const xml::Attribute& a : source.attributes) {
     if (a.name.starts_with(kPrefix) || a.name == "xmlns:xacro") continue;
     const Position value_at = context.place(a.value_at);
-    std::string value = evaluator_.text_of(a.value, value_at, *context.scope);
-    insist_on_characters(value, value_at);
-    output_.add({a.name, std::move(value), context.place(a.at), value_at}, out);
+    output_.add({a.name, evaluator_.text_of(a.value, value_at, *context.scope), context.place(a.at), value_at}, out);
   }
 }
 

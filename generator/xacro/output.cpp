@@ -11,6 +11,11 @@ namespace {
 
 constexpr std::size_t kNodeCost = 192;  // bytes of bookkeeping that a node counts for at least
 
+void insist_on_characters(std::string_view text, const Position& at) {
+  if (!xml::are_characters(text))
+    throw Failure{code::xacro_no_xml, "the text has a control character, which XML cannot hold", at};
+}
+
 }  // namespace
 
 Level Output::enter_element(const Position& at) {
@@ -18,6 +23,7 @@ Level Output::enter_element(const Position& at) {
 }
 
 void Output::add(xml::Node node, const Sink& to) {
+  insist_on_characters(node.text, node.at);
   const std::size_t indents = 2 * xml::kIndentStep.size() * depth_;  // of its first line and its last
   size_ += node.name.size() + node.text.size() + indents + kNodeCost;
   if (size_ > kMaxOutput) {
@@ -27,16 +33,13 @@ void Output::add(xml::Node node, const Sink& to) {
 }
 
 void Output::add(xml::Attribute attribute, xml::Node& element) {
+  insist_on_characters(attribute.value, attribute.value_at);
   size_ += attribute.name.size() + attribute.value.size() + kNodeCost;
   element.attributes.push_back(std::move(attribute));
 }
 
-void insist_on_characters(std::string_view text, const Position& at) {
-  if (!xml::are_characters(text))
-    throw Failure{code::xacro_no_xml, "the text has a control character, which XML cannot hold", at};
-}
-
 void set_attribute(xml::Node& element, xml::Attribute attribute) {
+  insist_on_characters(attribute.value, attribute.value_at);
   for (xml::Attribute& a : element.attributes) {
     if (a.name != attribute.name) continue;
     a = std::move(attribute);

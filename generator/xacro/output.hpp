@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 #include "generator/xacro/comments.hpp"
 #include "generator/xacro/engine.hpp"
@@ -18,7 +17,7 @@ class Output {
   /// Fails when elements are nested too deeply.
   [[nodiscard]] Level enter_element(const Position& at);
 
-  /// Puts a complete node behind the others; fails when the document becomes too large.
+  /// Puts a complete node behind the others; fails when the document becomes too large, or could not be XML.
   void add(xml::Node node, const Sink& to);
   /// Puts an attribute to the others of an element that is not in place yet.
   void add(xml::Attribute attribute, xml::Node& element);
@@ -29,10 +28,7 @@ class Output {
   std::size_t depth_ = 0;
 };
 
-/// Fails where a computed text holds a character that no XML document may.
-void insist_on_characters(std::string_view text, const Position& at);
-
-/// Sets an attribute, in the place of an old one of that name.
+/// Sets an attribute, in the place of an old one of that name; fails for a value that no XML document may hold.
 void set_attribute(xml::Node& element, xml::Attribute attribute);
 
 }  // namespace finemote::gen::xacro

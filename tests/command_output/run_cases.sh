@@ -52,6 +52,19 @@ jointed_robot() {
     cat
     printf '  </finemote>\n</robot>\n'; } >robot.urdf
 }
+# timed_button ARGUMENTS HASH: the robot r.urdf with one device, and its timing file, as if of these (JSON)
+timed_button() {
+  cat >r.urdf <<'X'
+<robot name="r"><link name="l"/><finemote version="1"><board name="robomaster_type_c"/>
+<device name="button" type="key" period="5ms"><use role="line" pin="key"/></device></finemote></robot>
+X
+  cat >r.timing.json <<X
+{"schema": "finemote.wcet/1",
+ "stages": [{"device": "button", "stage": "update", "wcet_ns": 4000}, {"device": "button", "stage": "handle", "wcet_ns": 0}],
+ "model": {"name": "cortex-m4-maxima", "version": 1, "placement": "flash"},
+ "inputs": {"compiler": null, "options": {"board": null}, "arguments": $1, "hash": $2}}
+X
+}
 # the expander `pwm` on the bus `i2c`
 pwm_expander() {
   printf '    <bus name="i2c" type="i2c" port="i2c2"/>\n'
@@ -80,7 +93,7 @@ hull() {
   done
   printf '    </device>\n'
 }
-export -f robot xacro_robot probe_robot joint jointed_robot pwm_expander hull_type hull
+export -f timed_button robot xacro_robot probe_robot joint jointed_robot pwm_expander hull_type hull
 
 say() {  # the whole answer of one case
   local status=0
