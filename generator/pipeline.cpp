@@ -83,7 +83,7 @@ TimingState timing_state_of(const PlannedRobot& planned, const std::string& data
 }
 
 Analysis analyse_robot(const PlannedRobot& planned, Hints hints) {
-  const auto& [library, robot, forest, schedule, timing_file, board] = planned;
+  const auto& [robot, forest, schedule] = planned.plan();
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(robot, forest);
   request.inputs = true;
@@ -95,7 +95,7 @@ Analysis analyse_robot(const PlannedRobot& planned, Hints hints) {
 }
 
 ProvenBounds prove_bounds(const PlannedRobot& planned, const Analysis& analysis) {
-  const auto& [library, robot, forest, schedule, timing_file, board] = planned;
+  const auto& [robot, forest, schedule] = planned.plan();
   return {timing::robot_bounds(analysis.timing, forest, schedule),
           timing::instrumented_bounds(robot, forest, schedule)};
 }

@@ -21,6 +21,7 @@ scenario::Model register_bank();
 // On SPI and CAN buses.
 scenario::Model bmi088();
 scenario::Model dji_motor();
+scenario::Model can_listener();
 // On PWM outputs.
 scenario::Model pwm_output();
 scenario::Model thruster();

@@ -20,22 +20,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr unsigned kNoBracket = ~0U;
-constexpr std::uint64_t kStep = 1'000'000;              // ns
+constexpr std::uint64_t kStep = 50'000;                 // ns
 constexpr std::uint64_t kLongestStart = 2'000'000'000;  // ns: clocks and parts are up long before
 
 /// The runtime marks its own work from bring-up on; stages come with releases.
-bool has_run_a_stage(Board& board) {
-  const auto& brackets = board.own_times().brackets();
-  return !brackets.empty() && brackets.begin()->first < kFirstWork;
+bool has_begun_a_stage(Board& board) {
+  const auto& events = board.own_times().events();
+  return std::any_of(events.begin(), events.end(), [](const BracketEvent& e) { return e.bracket < kFirstWork; });
 }
 
-/// Runs until the first stage ended; returns the time since power-on at which the trace counts 0. `fault_ns` is
+/// Runs until the first stage has begun; returns the time since power-on at which the trace counts 0. `fault_ns` is
 /// when a fault was first seen, not more than a step late; null: none.
 std::optional<std::int64_t> wait_for_first_release(Board& board, const Image& image, Json& fault_ns) {
   while (board.now_ns() < kLongestStart) {
     if (board.run_for(kStep) != Stop::time) return std::nullopt;
     if (fault_ns.is_null() && !faults_of(board, image).empty()) fault_ns = board.now_ns();
-    if (!has_run_a_stage(board)) continue;
+    if (!has_begun_a_stage(board)) continue;
     auto& world = board.world();
     const std::int64_t cycles = world.system().read(kCycleCounter, 4, world.now(), 0);
     return static_cast<std::int64_t>(board.now_ns()) - cycles_to_ns(cycles);
@@ -336,13 +336,13 @@ Json run(Bench& bench, const Json& job) {
     traffic.emplace(board, job.at("ports").get<std::vector<std::string>>());
     stop = run_to_end(bench, *zero + ready->end_ns, end, *traffic, undisturbed);
   }
-  if (!ready || stop != Stop::time) {
+  if (!ready) {
     return {{"stop", text_of(stop)},
             {"reports", reports_of(board)},
             {"fault_counts", faults_of(board, image)},
             {"fault_ns", fault_ns}};
   }
-  return {{"stop", nullptr},
+  return {{"stop", stop == Stop::time ? Json() : Json(text_of(stop))},
           {"reports", reports_of(board)},
           {"resets", board.resets() - outfit.scripted_resets()},
           {"scripted_resets", outfit.scripted_resets()},

@@ -199,7 +199,7 @@ Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagno
   if (options.format == Format::text) answer.text = text(*timing, extras);
   const bool is_static = !options.require_static || report_not_static(timing->model, options.input, answer.judged);
   const bool is_yes = timing->schedulable && timing->requirements_hold() && is_static;
-  answer.status = denies_warnings(options, answer.judged) ? kExitInvalid : is_yes ? kExitYes : kExitNo;
+  answer.status = !is_yes ? kExitNo : denies_warnings(options, answer.judged) ? kExitInvalid : kExitYes;
   return answer;
 }
 

@@ -69,7 +69,8 @@ bool is_refused(const Options& options, const Diagnostics& findings) {
 
 int finish(const Options& options, Answer answer, const Diagnostics& diagnostics, std::ostream& out,
            std::ostream& err) {
-  int status = is_refused(options, diagnostics) ? kExitInvalid : answer.status;
+  const bool is_denied = answer.status == kExitYes && denies_warnings(options, diagnostics);
+  int status = diagnostics.has_errors() || is_denied ? kExitInvalid : answer.status;
   Diagnostics findings;
   add_findings(diagnostics, findings);
   add_findings(answer.judged, findings);

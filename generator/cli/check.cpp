@@ -165,12 +165,14 @@ void add_timing_file(const TimingFileUse& file, CheckResult& result, Diagnostics
         {Finding::State::stale_timing, file.path,
          "computed from another state of the robot, its device types, the runtime or the options"});
   }
-  if (file.state != TimingFileUse::State::fits || file.compiler.empty()) return;
+  if (file.state != TimingFileUse::State::fits) return;
   const std::string here = compiler_for_board();
-  if (here == file.compiler) return;
+  if (here == file.compiler && !here.empty()) return;
   diagnostics
       .remark(code::timing_unused, file.at,
-              fmt::format("the execution times are of an image made by '{}'", file.compiler))
+              file.compiler.empty()
+                  ? std::string("the timing file does not say which compiler made the image of its execution times")
+                  : fmt::format("the execution times are of an image made by '{}'", file.compiler))
       .note(here.empty() ? "there is no compiler for the board here"
                          : fmt::format("another compiler is here: '{}'", here));
 }

@@ -21,7 +21,7 @@ std::optional<Json> stage_json(DumpStage stage, const Input& input, const timing
   }
   const auto planned = plan_robot(input, sources, diagnostics);
   if (!planned) return std::nullopt;
-  const auto& [library, robot, forest, schedule, timing_file, board] = *planned;
+  const auto& [robot, forest, schedule] = planned->plan();
   if (stage == DumpStage::model) return dump_model(robot);
   if (stage == DumpStage::forest) return dump_forest(robot, forest);
   if (stage == DumpStage::schedule) return dump_schedule(robot, schedule);

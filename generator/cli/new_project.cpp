@@ -12,6 +12,7 @@
 #include "generator/cli/settings.hpp"
 #include "generator/diagnostic/code_output.hpp"
 #include "generator/diagnostic/suggest.hpp"
+#include "generator/file/inside.hpp"
 #include "generator/model/firmware_inputs.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/pipeline.hpp"
@@ -73,9 +74,8 @@ std::vector<OutputFile> common_files(const std::string& data_dir, const Keys& ke
 
 /// Where a file is below a folder; empty: it is not.
 std::string place_below(const std::string& path, const std::string& folder) {
-  const fs::path inside =
-      fs::absolute(path).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
-  return inside.empty() || *inside.begin() == ".." ? std::string() : inside.generic_string();
+  const auto place = inside(fs::absolute(path).lexically_normal(), fs::absolute(folder).lexically_normal());
+  return place ? place->generic_string() : std::string();
 }
 
 /// Files that were read and are not shipped, what stands beside the robot's own descriptors, and what that includes.

@@ -79,7 +79,7 @@ Answer run_report(const Options& options, Sources& sources, Diagnostics& diagnos
                      user_files(subject->planned->robot, sources.access())))
     return no_answer();
 
-  const auto& [library, robot, forest, schedule, timing_file, board] = *subject->planned;
+  const auto& [robot, forest, schedule] = subject->planned->plan();
   question.remodel = timing::robot_remodel(robot, forest, robot_options);
   Answer answer;
   SimulationRequest request;

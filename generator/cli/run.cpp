@@ -16,7 +16,6 @@
 #include "generator/run/audit.hpp"
 #include "generator/run/check_routines.hpp"
 #include "generator/run/check_wcet.hpp"
-#include "generator/run/duration.hpp"
 #include "generator/run/emulate.hpp"
 #include "generator/run/execute.hpp"
 #include "generator/run/project.hpp"
@@ -29,6 +28,7 @@
 #include "generator/tasks/from_robot.hpp"
 #include "generator/timing/operands.hpp"
 #include "generator/timing_file/user_code.hpp"
+#include "generator/units/hyperperiod.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -47,7 +47,7 @@ bool has_parts(const Robot& robot, const RunSetup& setup, bool build_only, Diagn
 /// not exist; what else is wrong with the image is wrong with the robot.
 std::optional<timing::Timing> analyse_image(const Options& options, const PlannedRobot& planned,
                                             Diagnostics& diagnostics) {
-  const auto& [library, robot, forest, schedule, timing_file, board] = planned;
+  const auto& [robot, forest, schedule] = planned.plan();
   timing::RobotTimingOptions instrumented;
   instrumented.trace = options.trace;
   instrumented.monitor = options.monitor;
@@ -126,9 +126,9 @@ WatchedImage watch_loops(const ProvenImage& image, const Input& input, bool is_c
 std::optional<RunRecord> run_image(const WatchedImage& watched, const PlannedRobot& planned, const RunSetup& setup,
                                    const FaultTable& faults, const Options& options, std::optional<Phase> phase,
                                    Diagnostics& diagnostics) {
-  const auto& [library, robot, forest, schedule, timing_file, board] = planned;
+  const auto& [robot, forest, schedule] = planned.plan();
   const std::string& image = watched.image.path;
-  if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration, faults, diagnostics);
+  if (!setup.is_emulated()) return execute(image, setup.board, robot, forest, setup.duration, faults, diagnostics);
   return emulate(image, robot, forest, setup.duration,
                  {setup.board, setup.parts, faults, watched.loops, setup.asked_scenario(),
                   options.audit.empty() ? nullptr : &schedule, phase, options.flash_misses || options.slowest,
@@ -189,8 +189,9 @@ void judge(const PlannedRobot& planned, const std::optional<timing::Timing>& tim
   const Robot& robot = planned.robot;
   for (const Device& device : robot.devices) result.wcets_given.push_back(device.wcet);
   if (timing) result.wcets_given = analysed_wcets(robot, planned.forest, timing->model);
-  const bool declared_hold = !timing || timing->above_declared.empty();
-  result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged) && declared_hold;
+  for (const Diagnostic& reason : result.record.stopped) judged.add(reason);
+  result.declared_hold = !timing || timing->above_declared.empty();
+  result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged);
   if (timing && !check_routines(robot, timing->model, result.record, judged)) result.wcets_hold = false;
   result.loops_hold = check_loops(result.loops, result.record.loop_passes, judged);
   if (result.record.is_traffic_judged) {
@@ -203,16 +204,14 @@ void judge(const PlannedRobot& planned, const std::optional<timing::Timing>& tim
 /// What was run, and what it left behind.
 RunResult result_of(const PlannedRobot& planned, const RunSetup& setup, const ImageFacts& image, Runs runs,
                     const FaultTable& faults) {
-  const auto& [library, robot, forest, schedule, timing_file, board] = planned;
-  const auto whole = hyperperiod(schedule, setup.duration);
-  const bool fits_twice = whole && *whole <= floor_div(setup.duration, 2);
-  const Duration shown = fits_twice ? 2 * *whole : setup.duration;
+  const auto& [robot, forest, schedule] = planned.plan();
+  const Duration lasted = std::max(setup.duration, runs.record.ready + runs.record.judged_for);
   return {robot,
           forest,
           schedule,
           setup.board.name,
           setup.duration,
-          shown,
+          two_hyperperiods(schedule.buckets, lasted),
           image,
           std::move(runs.record),
           std::move(runs.figures),
@@ -231,11 +230,12 @@ Answer answer_of_build(const ImageFacts& image, const std::string& board) {
 Answer answer_of_run(const Options& options, const RunResult& result, Diagnostics& diagnostics) {
   if (!options.out.empty() && !write_result(options.out, run_trace(result).dump() + "\n", diagnostics))
     return no_answer();
+  std::vector<std::string> failures = result.failures();
+  if (!options.allow_unschedulable && !result.schedulable.value_or(true)) failures.emplace_back("not schedulable");
+  if (options.require_judged && !result.is_all_judged()) failures.emplace_back("not everything was judged");
   std::ostringstream text;
-  if (options.format == Format::text) print_run(result, options.verbose, text);
-  const bool allowed = options.allow_unschedulable || result.schedulable.value_or(true);
-  const bool is_enough = !options.require_judged || result.is_all_judged();
-  return {result.good() && allowed && is_enough ? kExitYes : kExitNo, text.str(), run_document(result)};
+  if (options.format == Format::text) print_run(result, failures, options.verbose, text);
+  return {failures.empty() ? kExitYes : kExitNo, text.str(), run_document(result)};
 }
 
 /// Files beside the work folder.

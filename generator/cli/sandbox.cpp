@@ -11,6 +11,7 @@
 
 #include "generator/cli/data_dir.hpp"
 #include "generator/cli/exit_status.hpp"
+#include "generator/file/inside.hpp"
 #include "generator/input/input.hpp"
 
 namespace finemote::gen {
@@ -20,11 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr rlim_t kMemory = rlim_t{2} << 30;  // bytes of address space, a stack of 512 MiB for xacro included
 constexpr rlim_t kSeconds = 60;              // of processor time
-
-bool is_inside(const fs::path& path, const fs::path& folder) {
-  const fs::path relative = path.lexically_relative(folder);
-  return !relative.empty() && *relative.begin() != "..";
-}
 
 /// The folder a command takes from one of its operands: of a file, of standard input, or a generated one itself.
 fs::path folder_of(const std::string& input) {
@@ -45,7 +41,7 @@ void check_folder(const fs::path& folder, Diagnostics& diagnostics) {
   if (real == real.root_path()) {
     diagnostics.error(code::outside_sandbox, {}, "the sandbox cannot hold the whole file system")
         .hint("put the input into a folder of its own");
-  } else if (is_inside(named, here) && !is_inside(real, fs::weakly_canonical(here, failed))) {
+  } else if (inside(named, here) && !inside(real, fs::weakly_canonical(here, failed))) {
     diagnostics
         .error(code::outside_sandbox, {},
                fmt::format("folder '{}' is a symbolic link out of the working directory", folder.generic_string()))

@@ -9,6 +9,7 @@
 
 #include "generator/diagnostic/code_project.hpp"
 #include "generator/diagnostic/suggest.hpp"
+#include "generator/file/inside.hpp"
 #include "generator/input/input.hpp"
 #include "generator/json/parse.hpp"
 #include "generator/xml/read_source.hpp"
@@ -174,8 +175,7 @@ class Reader {
     std::error_code failed;
     const fs::path folder = fs::weakly_canonical(folder_, failed);
     const fs::path named = fs::weakly_canonical(folder / value.text, failed);
-    const fs::path relative = named.lexically_relative(folder);
-    if (!failed && !fs::path(value.text).is_absolute() && !relative.empty() && *relative.begin() != "..")
+    if (!failed && !fs::path(value.text).is_absolute() && gen::inside(named, folder))
       return (fs::path(folder_) / value.text).lexically_normal().generic_string();
     report(value, fmt::format("'{}' lies outside the folder of {}", value.text, kSettingsName))
         .hint("name a folder below it, or give the folder on the command line");

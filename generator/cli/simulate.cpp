@@ -83,7 +83,7 @@ Answer run_simulate(const Options& options, Sources& sources, Diagnostics& diagn
   }
   if (options.format == Format::json) answer.document = simulation_json(simulated->timing, simulated->run, request);
   if (options.format == Format::text) answer.text = text(*simulated, request);
-  answer.status = denies_warnings(options, answer.judged) ? kExitInvalid : simulated->good() ? kExitYes : kExitNo;
+  answer.status = !simulated->good() ? kExitNo : denies_warnings(options, answer.judged) ? kExitInvalid : kExitYes;
   return answer;
 }
 

@@ -32,7 +32,7 @@ std::optional<Subject> read_subject(const Options& options, const timing::RobotT
   if (!input) return std::nullopt;
   auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return std::nullopt;
-  const auto& [library, robot, forest, schedule, timing_file, board] = *planned;
+  const auto& [robot, forest, schedule] = planned->plan();
   auto model = timing::make_timing_model(robot, forest, schedule, diagnostics, robot_options);
   if (!model) return std::nullopt;
   return Subject{std::move(*model), timing::timing_requirements(robot, forest), std::move(planned)};

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "generator/diagnostic/code_output.hpp"
+#include "generator/file/inside.hpp"
 #include "generator/file/replace_file.hpp"
 
 namespace finemote::gen {
@@ -72,7 +73,7 @@ bool is_below(const std::string& path, const std::string& folder) {
   std::error_code failed;
   const fs::path whole = fs::weakly_canonical(fs::absolute(behind_links(path), failed), failed);
   const fs::path above = fs::weakly_canonical(fs::absolute(folder, failed), failed);
-  return !failed && *whole.lexically_relative(above).begin() != "..";
+  return !failed && inside(whole, above);
 }
 
 /// Whether the folder of a file is made together with the folder `made`, above which it lies.

@@ -31,6 +31,8 @@ struct Position {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
   const Expansion* via = nullptr;  ///< innermost macro call or include the text came through; null at top level
+
+  friend bool operator==(const Position&, const Position&) = default;
 };
 
 /// One step of the way from the text a user wrote to an expanded element.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "generator/emit/file_names.hpp"
 #include "generator/emit/scope.hpp"
 
 namespace finemote::gen {
@@ -288,8 +289,7 @@ Data link_header(const Plan& plan, const DeviceLink& link) {
 std::vector<std::string> link_header_names(const Robot& robot, const Forest& forest) {
   std::vector<std::string> names;
   for (const DeviceId device : forest.order) {
-    if (!robot.devices[device].type->link_role.empty())
-      names.push_back("host/" + robot.devices[device].name.cpp + "_link.hpp");
+    if (!robot.devices[device].type->link_role.empty()) names.push_back(link_header_name(robot.devices[device]));
   }
   return names;
 }

@@ -7,6 +7,7 @@
 
 #include "generator/emit/bus_files.hpp"
 #include "generator/emit/constants.hpp"
+#include "generator/emit/file_names.hpp"
 #include "generator/emit/link.hpp"
 #include "generator/emit/plan_files.hpp"
 #include "generator/emit/schedule_files.hpp"
@@ -51,21 +52,21 @@ std::vector<TemplateData> plan_files(const Plan& plan, const ProvenBounds& bound
   const std::vector<DeviceLink> links = plan_links(plan, shipped_interfaces(data_dir + "/schemas"), diagnostics);
   for (const DeviceLink& link : links) constants.push_back(link_constant(plan, link));
   std::vector<TemplateData> files;
-  files.reserve(5 + 2 * plan.forest.trees.size() + links.size());  // Data that grow are copied, not moved
+  files.reserve(std::size(kFixedFiles) + 2 * plan.forest.trees.size() + links.size());  // growing copies Data
   const auto add = [&](const std::string& name, const std::string& template_name, Data data) {
     files.push_back({name, template_name, std::move(data)});
   };
-  add("schedule.hpp", "schedule.hpp.mustache", schedule_header(plan, bounds));
-  add("schedule.cpp", "schedule.cpp.mustache", schedule_source(plan, bounds));
-  add("buses.hpp", "buses.hpp.mustache", bus_header(plan, bounds.plain));
-  add("buses.cpp", "buses.cpp.mustache", bus_source(plan, bounds.plain));
-  add("constants.hpp", "constants.hpp.mustache", constants_data(plan, constants));
+  Data fixed[] = {schedule_header(plan, bounds), schedule_source(plan, bounds), bus_header(plan, bounds.plain),
+                  bus_source(plan, bounds.plain), constants_data(plan, constants)};
+  static_assert(std::size(fixed) == std::size(kFixedFiles));
+  for (std::size_t i = 0; i < std::size(fixed); ++i)
+    add(kFixedFiles[i], std::string(kFixedFiles[i]) + ".mustache", std::move(fixed[i]));
   for (const Tree& tree : plan.forest.trees) {
-    add("trees/" + tree.space + ".hpp", "tree.hpp.mustache", tree_header(plan, tree, constants, bounds));
-    add("trees/" + tree.space + ".cpp", "tree.cpp.mustache", tree_source(plan, tree));
+    add(tree_header_name(tree), "tree.hpp.mustache", tree_header(plan, tree, constants, bounds));
+    add(tree_source_name(tree), "tree.cpp.mustache", tree_source(plan, tree));
   }
   for (const DeviceLink& link : links) {
-    add("host/" + plan.robot.devices[link.device].name.cpp + "_link.hpp", "link.hpp.mustache", link_header(plan, link));
+    add(link_header_name(plan.robot.devices[link.device]), "link.hpp.mustache", link_header(plan, link));
   }
   return files;
 }
@@ -80,10 +81,10 @@ std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bound
 }
 
 std::vector<std::string> output_names(const Robot& robot, const Forest& forest) {
-  std::vector<std::string> names{"schedule.hpp", "schedule.cpp", "buses.hpp", "buses.cpp", "constants.hpp"};
+  std::vector<std::string> names(std::begin(kFixedFiles), std::end(kFixedFiles));
   for (const Tree& tree : forest.trees) {
-    names.push_back("trees/" + tree.space + ".hpp");
-    names.push_back("trees/" + tree.space + ".cpp");
+    names.push_back(tree_header_name(tree));
+    names.push_back(tree_source_name(tree));
   }
   for (std::string& name : link_header_names(robot, forest)) names.push_back(std::move(name));
   return names;

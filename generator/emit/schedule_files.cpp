@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/emit/file_names.hpp"
 #include "generator/emit/value.hpp"
 #include "generator/units/units.hpp"
 
@@ -177,7 +178,7 @@ Data schedule_header(const Plan& plan, const ProvenBounds& bounds) {
 Data schedule_source(const Plan& plan, const ProvenBounds& bounds) {
   Data data = common_data(plan);
   std::vector<std::string> includes{"<finemote/schedule.hpp>", "\"schedule.hpp\"", "\"buses.hpp\""};
-  for (const Tree& tree : plan.forest.trees) includes.push_back("\"trees/" + tree.space + ".hpp\"");
+  for (const Tree& tree : plan.forest.trees) includes.push_back("\"" + tree_header_name(tree) + "\"");
   data.set("includes", include_list(std::move(includes)));
   data.set("has_crossings", !plan.schedule.crossings.empty());
   data.set("crossings", crossing_list(plan));

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "generator/emit/device_fields.hpp"
+#include "generator/emit/file_names.hpp"
 #include "generator/emit/scope.hpp"
 #include "generator/forest/stage.hpp"
 #include "generator/units/units.hpp"
@@ -145,7 +146,7 @@ std::vector<DeviceId> definition_order(const Plan& plan, const Tree& tree) {
   return order;
 }
 
-std::string own_header(const Tree& tree) { return "\"trees/" + tree.space + ".hpp\""; }
+std::string own_header(const Tree& tree) { return "\"" + tree_header_name(tree) + "\""; }
 
 /// Trees whose objects or latches the sequences of `tree` touch.
 std::vector<std::string> touched_headers(const Plan& plan, const Tree& tree) {

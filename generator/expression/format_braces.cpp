@@ -94,11 +94,12 @@ class BraceFormatter {
   Value first(std::string_view name) {
     const bool is_number = !name.empty() && std::all_of(name.begin(), name.end(), is_digit);
     if (name.empty() || is_number) {
-      const auto index = is_number ? parse_integer(name)->small() : static_cast<std::int64_t>(next_++);
-      if (index < 0 || index >= static_cast<std::int64_t>(arguments_.positional.size())) {
-        fail_eval(fmt::format("Replacement index {} out of range for positional args tuple", index));
+      const Integer index = is_number ? *parse_integer(name) : Integer(static_cast<std::int64_t>(next_++));
+      if (!index.is_small()) fail_eval("Too many decimal digits in format string");
+      if (index.small() >= static_cast<std::int64_t>(arguments_.positional.size())) {
+        fail_eval(fmt::format("Replacement index {} out of range for positional args tuple", index.small()));
       }
-      return arguments_.positional[static_cast<std::size_t>(index)];
+      return arguments_.positional[static_cast<std::size_t>(index.small())];
     }
     for (const auto& [given, value] : arguments_.named) {
       if (given == name) return value;

@@ -175,8 +175,7 @@ class PercentFormatter {
     if (value.text() != nullptr && count_characters(*value.text()) == 1) return *value.text();
     const auto code = as_integer(value);
     if (!code) fail_eval("%c requires int or char");
-    if (!code->is_small() || code->small() < 0 || code->small() > 0x10FFFF) fail_eval("%c arg not in range(0x110000)");
-    return encode(static_cast<char32_t>(code->small()));
+    return character_of(*code);
   }
 
   static std::string sign(const PercentField& f, bool negative) {

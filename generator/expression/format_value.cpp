@@ -66,20 +66,32 @@ Specification parse_specification(std::string_view text, const Value& value) {
   fail_eval(fmt::format("Unknown format code '{}' for object of type '{}'", type, type_name(value)));
 }
 
-std::string grouped(const std::string& digits, char separator, std::size_t every) {
+/// The digits before a point, an exponent or a sign `%`, in groups of `every`, and what follows them. Zeros go before
+/// them, in groups as well, until there are `width` characters: one more where a separator would come first.
+std::string grouped(const std::string& digits, char separator, std::size_t every, std::size_t width) {
   const auto end = std::min(digits.find_first_not_of("0123456789abcdefABCDEF"), digits.size());
+  if (end == 0) return digits;  // inf, nan
+  const std::size_t rest = digits.size() - end;
+  std::size_t count = end;
+  while (count + (count - 1) / every + rest < width) ++count;
   std::string out;
-  for (std::size_t i = 0; i < end; ++i) {
-    if (i > 0 && (end - i) % every == 0) out += separator;
-    out += digits[i];
+  for (std::size_t left = count; left > 0; --left) {
+    if (left < count && left % every == 0) out += separator;
+    out += left > end ? '0' : digits[end - left];
   }
   return out + digits.substr(end);
 }
 
-std::string laid_out_number(const Specification& s, bool negative, std::string lead, std::string digits) {
+/// @param every  digits of a group, where the specification asks for groups
+std::string laid_out_number(const Specification& s, bool negative, std::string lead, std::string digits,
+                            std::size_t every = 3) {
   lead.insert(0, negative ? "-" : s.sign == '+' ? "+" : s.sign == ' ' ? " " : "");
-  const bool zeros = s.zero && s.align == '\0';
-  if (zeros || (s.align == '=' && s.fill == "0")) return pad_with_zeros(lead, digits, s.width);
+  const bool zeros = (s.zero && s.align == '\0') || (s.align == '=' && s.fill == "0");
+  if (s.grouping != '\0') {
+    const std::size_t width = zeros && s.width > lead.size() ? s.width - lead.size() : 0;
+    digits = grouped(digits, s.grouping, every, width);
+  }
+  if (zeros) return pad_with_zeros(lead, digits, s.width);
   if (s.align == '=') {
     const std::size_t rest = s.width > lead.size() ? s.width - lead.size() : 0;
     return lead + pad(std::move(digits), rest, '>', s.fill);
@@ -116,20 +128,18 @@ std::string format_real(const Specification& s, const Value& value, double d) {
     default:
       fail_type(s.type, value);
   }
-  if (s.grouping != '\0') digits = grouped(digits, s.grouping, 3);
   return laid_out_number(s, std::signbit(d) && !std::isnan(d), "", digits);
 }
 
 std::string format_integer(const Specification& s, const Value& value, const Integer& i) {
   const char type = s.type == '\0' || s.type == 'n' ? 'd' : s.type;
   if (std::string_view("eEfFgG%").find(type) != std::string_view::npos) return format_real(s, value, i.to_double());
-  if (type == 'c') return pad(encode(static_cast<char32_t>(i.is_small() ? i.small() : 0xFFFD)), s.width, '<', s.fill);
+  if (type == 'c') return pad(character_of(i), s.width, '<', s.fill);
   if (std::string_view("dxXob").find(type) == std::string_view::npos) fail_type(type, value);
   if (s.precision) fail_eval("Precision not allowed in integer format specifier");
-  std::string digits = integer_digits(i, type);
-  if (s.grouping != '\0') digits = grouped(digits, s.grouping, type == 'd' ? 3 : 4);
+  const std::string digits = integer_digits(i, type);
   const std::string lead = s.alternate && type != 'd' ? std::string("0") + type : "";
-  return laid_out_number(s, i.is_negative(), lead, digits);
+  return laid_out_number(s, i.is_negative(), lead, digits, type == 'd' ? 3 : 4);
 }
 
 std::string format_text(const Specification& s, const Value& value, std::string text) {

@@ -7,8 +7,6 @@
 #include "generator/expression/utf8.hpp"
 
 namespace finemote::gen::expression {
-namespace {}  // namespace
-
 std::size_t read_count(std::string_view pattern, std::size_t& at) {
   std::size_t count = 0;
   for (; at < pattern.size() && is_digit(pattern[at]); ++at) {
@@ -34,6 +32,12 @@ std::string pad(std::string text, std::size_t width, char align, const std::stri
 std::string pad_with_zeros(const std::string& sign, const std::string& digits, std::size_t width) {
   const std::size_t length = sign.size() + digits.size();
   return sign + std::string(length < width ? width - length : 0, '0') + digits;
+}
+
+std::string character_of(const Integer& code) {
+  if (!code.is_small() || code.small() < 0 || code.small() > 0x10FFFF) fail_eval("%c arg not in range(0x110000)");
+  if (code.small() >= 0xD800 && code.small() <= 0xDFFF) fail_eval("surrogates not allowed");
+  return encode(static_cast<char32_t>(code.small()));
 }
 
 std::string shortened(std::string text, const std::optional<std::size_t>& most) {

@@ -12,7 +12,7 @@ namespace finemote::gen::expression {
 
 inline constexpr std::size_t kMaxWidth = 1'000'000;  ///< of a format, and its most digits
 
-/// A number in a pattern; moves `at` behind it. Fails beyond kMaxWidth.
+/// A number in a pattern; moves `at` past it. Fails beyond kMaxWidth.
 std::size_t read_count(std::string_view pattern, std::size_t& at);
 
 /// Fills a text up to `width` characters; `align` is '<', '^' or '>'.
@@ -20,6 +20,9 @@ std::string pad(std::string text, std::size_t width, char align, const std::stri
 
 /// Zeros between the sign (and 0x) and the digits.
 std::string pad_with_zeros(const std::string& sign, const std::string& digits, std::size_t width);
+
+/// The character of a code point. Fails where there is none, and on surrogates, which no text can hold.
+std::string character_of(const Integer& code);
 
 /// At most the first so many characters.
 std::string shortened(std::string text, const std::optional<std::size_t>& most);

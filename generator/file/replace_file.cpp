@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_below(const std::string& path, const char* folder) { return path.rfind(folder, 0) == 0; }
-
 mode_t mode_for(const fs::path& target) {
   struct stat status {};
   if (::stat(target.c_str(), &status) == 0) return status.st_mode & 07777;
@@ -31,7 +29,7 @@ bool is_special(const fs::path& path) {
   for (const char* stream : {"/dev/stdin", "/dev/stdout", "/dev/stderr"}) {
     if (text == stream) return true;
   }
-  if (is_below(text, "/dev/fd/") || is_below(text, "/proc/")) return true;
+  if (text.starts_with("/dev/fd/") || text.starts_with("/proc/")) return true;
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }

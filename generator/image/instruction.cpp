@@ -58,6 +58,12 @@ Instruction instruction_of(const cs_insn& decoded) {
 
 bool is_double(int reg) { return reg >= ARM_REG_D0 && reg <= ARM_REG_D31; }
 
+/// `vmov s13, r3`: what is no register of the FPU is only read.
+bool moves_to_fpu(const Instruction& instruction) {
+  return instruction.id == ARM_INS_VMOV && !instruction.operands.empty() &&
+         instruction.operands[0].type == ARM_OP_REG && is_of_fpu(instruction.operands[0].reg);
+}
+
 bool is_call(const Instruction& i) { return i.id == ARM_INS_BL || i.id == ARM_INS_BLX; }
 
 /// Instructions whose operands are all read.
@@ -86,6 +92,8 @@ bool only_reads(unsigned id) {
 
 }  // namespace
 
+bool is_of_fpu(int reg) { return is_double(reg) || (reg >= ARM_REG_S0 && reg <= ARM_REG_S31); }
+
 const cs_arm_op* Instruction::memory() const {
   const auto found =
       std::find_if(operands.begin(), operands.end(), [](const cs_arm_op& o) { return o.type == ARM_OP_MEM; });
@@ -106,6 +114,7 @@ bool may_write(const Instruction& instruction, int reg) {
   const cs_arm_op* memory = instruction.memory();
   if (instruction.writes_back && memory != nullptr && memory->mem.base == reg) return true;
   if (only_reads(instruction.id)) return false;
+  if (moves_to_fpu(instruction) && !is_of_fpu(reg)) return false;
   // Any other register it names counts: some read it only, which makes this cautious.
   return std::any_of(instruction.operands.begin(), instruction.operands.end(),
                      [&](const cs_arm_op& o) { return o.type == ARM_OP_REG && o.reg == reg; });

@@ -37,6 +37,9 @@ struct Instruction {
   [[nodiscard]] std::uint32_t words_from(std::size_t first) const;
 };
 
+/// A single or double register of the FPU.
+bool is_of_fpu(int reg);
+
 /// Whether it may change this core register: what the architecture says it writes, and for a call what a callee may
 /// change (AAPCS 6.1.1: r0 to r3, r12 and lr).
 bool may_write(const Instruction& instruction, int reg);

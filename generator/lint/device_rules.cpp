@@ -107,16 +107,17 @@ void find_odd_period(const CheckedDevice& checked, Findings& findings) {
 void find_missing_wcet(const CheckedDevice& checked, Findings& findings) {
   const Device& device = checked.device;
   if (device.wcet.source != Wcet::Source::assumed) return;
+  if (device.wcet.is_of_stale_file && !findings.is_denied()) return;  // FM4022 says so of all of them
   const std::string update = units::format_duration(device.wcet.update);
   const std::string handle = units::format_duration(device.wcet.handle);
   findings.add(device, fmt::format("device '{}' has no <wcet>", device.name.text))
       .note(
           fmt::format("update {} and handle {} are assumed; every bound that depends on them says so", update, handle))
       .hint("let finemote wcet compute bounds of all stages from the image, in a timing file beside the robot")
-      .hint(
-          fmt::format("or add <wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> if it keeps to that; finemote run "
-                      "prints the element with source=\"measured\"",
-                      update, handle));
+      .hint(fmt::format(
+          "or add <wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> if it never takes longer; finemote run "
+          "prints the element with source=\"measured\"",
+          update, handle));
 }
 
 std::string offered_period(const CheckedDevice& checked, Duration conversion) {

@@ -24,6 +24,9 @@ class Findings {
   Findings(Code code, bool is_denied, Diagnostics& diagnostics, std::vector<Fix>& fixes)
       : code_(code), is_denied_(is_denied), diagnostics_(diagnostics), fixes_(fixes) {}
 
+  /// Whether they are errors.
+  [[nodiscard]] bool is_denied() const { return is_denied_; }
+
   /// @return  to note and hint at, until the next finding
   Diagnostic& add(Position at, std::string message) {
     return is_denied_ ? diagnostics_.error(code_, at, std::move(message))

@@ -16,9 +16,8 @@ bool contains(const std::vector<Code>& codes, Code code) {
 
 CheckedBus checked_bus(const Robot& robot, BusId index, const LintOptions& options) {
   const Position& at = robot.buses[index].at;
-  const auto overload = std::find_if(
-      options.overloads.begin(), options.overloads.end(),
-      [&](const Diagnostic& finding) { return finding.at.line == at.line && finding.at.column == at.column; });
+  const auto overload = std::find_if(options.overloads.begin(), options.overloads.end(),
+                                     [&](const Diagnostic& finding) { return finding.at == at; });
   return {robot, index, options.bus_load.contains(index) ? options.bus_load[index] : 0, options.most_bus_load,
           overload == options.overloads.end() ? nullptr : &*overload};
 }

@@ -121,6 +121,22 @@ std::string lonely_devices(const Reading& reading, DeviceId parent, const RoleSp
   return list;
 }
 
+/// Sensors of other branches and trees that would fit: where the reader needs their data alone, it can read them there.
+std::string readable_devices(const Reading& reading, DeviceId reader, const RoleSpec& role) {
+  if (role.interface == "any") return {};
+  const Robot& robot = reading.robot;
+  std::string list;
+  for (const DeviceId i : robot.devices.ids()) {
+    const Device& device = robot.devices[i];
+    const bool fits =
+        device.parent && device.type != nullptr && !device.type->actuator && satisfies(*device.type, role);
+    if (!fits || is_descendant(robot, reader, i) || is_descendant(robot, i, reader)) continue;
+    list +=
+        fmt::format("{}<reads device=\"{}\" role=\"{}\"/>", list.empty() ? "" : " or ", device.name.text, role.name);
+  }
+  return list;
+}
+
 void report_too_few(Reading& reading, DeviceId index, std::size_t role, std::size_t given) {
   const Device& device = reading.robot.devices[index];
   const RoleSpec& spec = device.type->roles[role];
@@ -135,6 +151,8 @@ void report_too_few(Reading& reading, DeviceId index, std::size_t role, std::siz
   if (!lonely.empty())
     finding.hint(
         fmt::format("{} would fit and has no parent: nest it here, or add parent=\"{}\"", lonely, device.name.text));
+  const std::string readable = readable_devices(reading, index, spec);
+  if (!readable.empty()) finding.hint("let it read what is elsewhere: " + readable);
   finding.hint("nest in it for example " + MissingChild(reading, index, role).text(types));
 }
 

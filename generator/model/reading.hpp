@@ -82,7 +82,8 @@ void report_no_position(Reading& reading, DeviceId device);  // joints.cpp: limi
 void read_ros_joints(Reading& reading);                      // ros_joints.cpp: what ROS commands
 void read_requirements(Reading& reading);                    // requirements.cpp
 
-bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it provides the role's interface
+bool satisfies(const DeviceType& child, const RoleSpec& role);         // roles.cpp: it provides the role's interface
+bool is_descendant(const Robot& robot, DeviceId device, DeviceId of);  // roles.cpp: below it, or itself
 
 /// Nothing that was reported changes where this link is (doubts.cpp).
 bool is_place_known(const Reading& reading, const Mechanism& mechanism, const std::string& link);

@@ -91,6 +91,7 @@ struct Wcet {
   Source source = Source::assumed;
   Duration per_frame;                                    ///< assumed: the part of update() for each of most_frames()
   std::optional<Duration> update_static, handle_static;  ///< of the timing file, where it fits
+  bool is_of_stale_file = false;                         ///< assumed: the figures of a stale timing file
   bool is_above_declared = false;                        ///< one of them is above what the tag declares
 };
 

@@ -13,6 +13,15 @@ bool satisfies(const DeviceType& child, const RoleSpec& role) {
                      [&](const Interface& provided) { return provided.name == role.interface; });
 }
 
+bool is_descendant(const Robot& robot, DeviceId device, DeviceId of) {
+  std::size_t steps = 0;
+  for (auto at = std::optional<DeviceId>(device); at && steps <= robot.devices.size();
+       at = robot.devices[*at].parent, ++steps) {
+    if (*at == of) return true;
+  }
+  return false;
+}
+
 namespace {
 
 std::vector<std::string> names_of(const std::vector<RoleSpec>& roles) {
@@ -115,15 +124,6 @@ void resolve_child(Reading& reading, DeviceId index) {
     device.role = only_role(reading, index, *parent.type, *device.type, where);
   }
   if (!device.role) reading.devices[*device.parent].is_incomplete = true;
-}
-
-bool is_descendant(const Robot& robot, DeviceId device, DeviceId of) {
-  std::size_t steps = 0;
-  for (auto at = std::optional<DeviceId>(device); at && steps <= robot.devices.size();
-       at = robot.devices[*at].parent, ++steps) {
-    if (*at == of) return true;
-  }
-  return false;
 }
 
 /// <reads> of the reader itself, of a child (which reaches it by role), or of a device further down (which does not).

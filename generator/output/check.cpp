@@ -191,33 +191,33 @@ class Checker {
   std::vector<Finding> findings_;
 };
 
-/// The state as it stands in a sentence.
-const char* state_words(Finding::State state) {
-  if (state == Finding::State::hand_edited) return "edited by hand";
-  if (state == Finding::State::line_endings) return "changed in its line ends";
-  if (state == Finding::State::orphan) return "an orphan";
-  return state_name(state);
+struct StateWords {
+  const char* name;
+  const char* predicate;  ///< what a file in this state is, in a sentence
+  Code code;
+};
+
+StateWords words_of(Finding::State state) {
+  switch (state) {
+    case Finding::State::missing:
+      return {"missing", "missing", code::output_missing};
+    case Finding::State::hand_edited:
+      return {"hand-edited", "edited by hand", code::output_edited};
+    case Finding::State::line_endings:
+      return {"line-endings", "changed in its line ends", code::output_line_ends};
+    case Finding::State::stale:
+      return {"stale", "stale", code::output_stale};
+    case Finding::State::orphan:
+      return {"orphan", "an orphan", code::output_orphan};
+    case Finding::State::stale_timing:
+      break;
+  }
+  return {"stale-timing", "stale", code::timing_stale};
 }
 
 }  // namespace
 
-const char* state_name(Finding::State state) {
-  switch (state) {
-    case Finding::State::missing:
-      return "missing";
-    case Finding::State::hand_edited:
-      return "hand-edited";
-    case Finding::State::line_endings:
-      return "line-endings";
-    case Finding::State::stale:
-      return "stale";
-    case Finding::State::orphan:
-      return "orphan";
-    case Finding::State::stale_timing:
-      return "stale-timing";
-  }
-  return "";
-}
+const char* state_name(Finding::State state) { return words_of(state).name; }
 
 std::string CheckResult::reason_of(const Finding& finding) const {
   if (!finding.follows_change) return finding.reason;
@@ -241,15 +241,13 @@ CheckResult check_output(const std::string& folder, const Output& output, const 
 }
 
 Diagnostics as_diagnostics(const std::string& folder, const CheckResult& result, Sources& sources) {
-  static constexpr Code kCodes[] = {code::output_missing, code::output_edited, code::output_line_ends,
-                                    code::output_stale, code::output_orphan};
   Diagnostics diagnostics;
   for (const Finding& finding : result.findings) {
     if (finding.state == Finding::State::stale_timing) continue;  // FM4022 has said it
     const std::string path = (folder_path(folder) / finding.file).generic_string();
-    diagnostics.error(
-        kCodes[static_cast<std::size_t>(finding.state)], {sources.add({path, path, {}})},
-        fmt::format("'{}' is {}: {}", finding.file, state_words(finding.state), result.reason_of(finding)));
+    const StateWords words = words_of(finding.state);
+    diagnostics.error(words.code, {sources.add({path, path, {}})},
+                      fmt::format("'{}' is {}: {}", finding.file, words.predicate, result.reason_of(finding)));
   }
   return diagnostics;
 }

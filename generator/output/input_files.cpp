@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "generator/file/inside.hpp"
 #include "generator/output/sha256.hpp"
 #include "generator/xacro/packages.hpp"
 #include "generator/xml/read_source.hpp"
@@ -24,14 +25,9 @@ fs::path package_of(fs::path folder) {
 std::string manifest_name(const fs::path& path, const fs::path& input_folder, const fs::path& data_dir,
                           const files::Access& access) {
   const fs::path file = fs::weakly_canonical(path);
-  const auto inside = [&](const fs::path& folder) -> std::string {
-    const std::string relative = file.lexically_relative(fs::weakly_canonical(folder)).generic_string();
-    return relative.empty() || relative.rfind("..", 0) == 0 ? std::string() : relative;
-  };
-  const std::string builtin = inside(data_dir / "schemas");
-  if (!builtin.empty()) return "builtin:" + builtin;
-  const std::string near = inside(input_folder);
-  if (!near.empty()) return near;
+  if (const auto builtin = inside(file, fs::weakly_canonical(data_dir / "schemas")))
+    return "builtin:" + builtin->generic_string();
+  if (const auto near = inside(file, fs::weakly_canonical(input_folder))) return near->generic_string();
   const fs::path package = package_of(file.parent_path());
   if (package.empty()) return file.lexically_relative(fs::weakly_canonical(input_folder)).generic_string();
   const std::string name = xacro::package_name(package, access);

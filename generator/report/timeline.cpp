@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "generator/report/frames.hpp"
-#include "generator/simulate/hyperperiod.hpp"
+#include "generator/units/hyperperiod.hpp"
 
 namespace finemote::gen::report {
 namespace {
@@ -27,10 +27,8 @@ TimelineRecorder::TimelineRecorder(const timing::Model& model, timing::Profile p
   for (const timing::TaskBucket& bucket : set.buckets) kept_.periods.push_back(bucket.period);
   for (const timing::Stream& source : set.sources) kept_.streams.push_back(source.name);
   kept_.streams.emplace_back("release");
-  kept_.hyperperiod = hyperperiod_of(model);
-  // Only commands of the second hyperperiod are as old as any can become.
-  const bool is_short = kept_.hyperperiod && *kept_.hyperperiod <= floor_div(kLongest, 2);
-  kept_.length = shown_of(set, is_short ? 2 * *kept_.hyperperiod : kLongest);
+  kept_.hyperperiod = hyperperiod(model.devices);
+  kept_.length = shown_of(set, two_hyperperiods(model.devices, kLongest));
 }
 
 Timeline TimelineRecorder::timeline() const {

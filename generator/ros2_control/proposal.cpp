@@ -45,7 +45,7 @@ class Writer {
     text += head.lines_ + lines_;
     proposal_.guesses.insert(proposal_.guesses.begin(), head.proposal_.guesses.begin(), head.proposal_.guesses.end());
     proposal_.lacking.emplace_back(
-        "execution times: until there are <wcet> elements, every bound rests on assumed ones");
+        "execution times: every bound rests on assumed ones until there is a timing file (finemote wcet)");
     for (const std::string& what : proposal_.lacking) text += "    <!-- lacking: " + for_comment(what) + " -->\n";
     proposal_.text = text + "  </finemote>\n";
     return std::move(proposal_);

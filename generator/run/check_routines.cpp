@@ -22,19 +22,19 @@ Duration longest_of(const RunRecord& record, std::uint32_t exception) {
   return found == record.routine_times.end() ? Duration::zero() : found->longest;
 }
 
-/// Frames that a mailbox of bxCAN keeps: RM0090 32.7.4.
-constexpr std::int64_t kMailbox = 3;
+/// Frames that a receive FIFO of bxCAN holds: RM0090 32.7.3.
+constexpr std::int64_t kReceiveFifo = 3;
 
 /// Frames that one run may receive, of which each counts as a run.
 std::int64_t frames_at_once(const Bus& bus, const InterruptLine& line) {
   const bool receives = line.name.find("_RX") != std::string::npos;
-  return receives && bus_type(bus.kind).is_arbitrated ? kMailbox : 1;
+  return receives && bus_type(bus.kind).is_arbitrated ? kReceiveFifo : 1;
 }
 
 /// What one run of a routine of the bus counts for at most: it may serve all its causes at once, or on CAN as many
-/// frames as a mailbox keeps.
+/// frames as a receive FIFO holds.
 Duration longest_counted(const timing::Bus& bus) {
-  const std::int64_t at_once = bus.arbitrated ? kMailbox : 1;
+  const std::int64_t at_once = bus.arbitrated ? kReceiveFifo : 1;
   if (!bus.sources) return at_once * bus.wcet;
   Duration longest, sum;
   for (const timing::InterruptSource& source : *bus.sources) {

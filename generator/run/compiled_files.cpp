@@ -9,6 +9,7 @@
 
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/diagnostic/printable.hpp"
+#include "generator/file/inside.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/run/process.hpp"
 
@@ -41,8 +42,8 @@ bool is_below(const std::string& file, const std::vector<std::string>& folders) 
 /// From the working folder on, where the file lies below it.
 std::string shown(const std::string& file) {
   std::error_code failed;
-  const std::string name = fs::proximate(file, failed).generic_string();
-  return printable(failed || name.rfind("..", 0) == 0 ? file : name);
+  const auto place = inside(file, fs::current_path(failed));
+  return printable(place ? place->generic_string() : file);
 }
 
 }  // namespace

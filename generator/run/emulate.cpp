@@ -91,25 +91,12 @@ bool overrun_stops(const Robot& robot) {
   return param_value(robot.board_params, "overrun", std::string()) == "safe_stop";
 }
 
-/// A firmware that came to its first release and is in its safe stop now; one that a scenario may have put there is
-/// left alone.
-bool is_stopped_later(const Json& record, const Robot& robot, const FaultTable& table, Diagnostics& diagnostics) {
-  const std::vector<FaultCount> faults = undisturbed_faults_of(record);
-  const FaultCount* stop = stopping_fault(table, faults, overrun_stops(robot));
-  if (stop == nullptr) return false;
-  const Json& stages = record.at("stages");
-  const Duration last = stages.empty() ? Duration::zero() : time_of(stages.back().at(0));
-  report_safe_stop(table, faults, *stop, fmt::format("after its last stage at {}", units::format_duration(last)),
-                   diagnostics);
-  return true;
-}
-
-/// The emulated board looks for faults once a millisecond.
+/// To whole milliseconds: the emulated board looks for faults now and then.
 std::string when_at_start(const Json& record) {
   const Json& fault = record.at("fault_ns");
   if (fault.is_null()) return "before its first release";
   return fmt::format("before its first release, within {} of power-on",
-                     units::format_duration(round_down(time_of(fault), milliseconds(1))));
+                     units::format_duration(round_up(time_of(fault), milliseconds(1))));
 }
 
 void report_stop(const Json& record, const FaultTable& table, Diagnostics& diagnostics) {
@@ -123,6 +110,22 @@ void report_stop(const Json& record, const FaultTable& table, Diagnostics& diagn
     finding.note(fmt::format("{} at {} ns: {}", report.at("misuse").get<std::string>(),
                              report.at("first_ns").get<std::uint64_t>(), report.at("text").get<std::string>()));
   }
+}
+
+/// Why a firmware that came to its first release runs no longer, FM6002; empty: it does. One that a scenario may have
+/// stopped is left alone.
+std::vector<Diagnostic> why_stopped(const Json& record, const Robot& robot, const FaultTable& table) {
+  Diagnostics said;
+  const std::vector<FaultCount> faults = undisturbed_faults_of(record);
+  if (const FaultCount* stop = stopping_fault(table, faults, overrun_stops(robot))) {
+    const Json& stages = record.at("stages");
+    const Duration last = stages.empty() ? Duration::zero() : time_of(stages.back().at(0));
+    report_safe_stop(table, faults, *stop, fmt::format("after its last stage at {}", units::format_duration(last)),
+                     said);
+  } else if (!record.at("stop").is_null()) {
+    report_stop(record, table, said);
+  }
+  return said.in_file_order();
 }
 
 /// How far the clocks of parts may be off, as the types of their devices say, by their names.
@@ -175,7 +178,7 @@ bool has_models(const Robot& robot, Diagnostics& diagnostics) {
         .underline(tag_length)
         .note(fmt::format("'{}' names it as the model of type '{}'", type.display_path, type.name))
         .hint(did_you_mean(part, known))
-        .hint("or leave out 'emulation': the part's bus stays silent then");
+        .hint("or leave out 'emulation': the part never answers then");
   };
   for (const Expander& expander : robot.expanders) {
     if (has_part(robot, expander)) check(*expander.type, expander.at, std::string_view("<expander").size());
@@ -225,13 +228,13 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   if (options.scenario != nullptr) job["events"] = options.scenario->document;
   const Json json = run_job(job, image, longest_bring_up(robot) + std::max(duration, last_event), diagnostics);
   if (json.is_null()) return std::nullopt;
-  if (!json.at("stop").is_null()) {
+  if (!json.contains("ready_ns")) {
     report_stop(json, options.faults, diagnostics);
     return std::nullopt;
   }
-  if (is_stopped_later(json, robot, options.faults, diagnostics)) return std::nullopt;
   warn_of_misuse(json, diagnostics);
   RunRecord record = read_record(json, robot, forest);
+  record.stopped = why_stopped(json, robot, options.faults);
   record.silent = silent_beside(options.parts, options.scenario);
   record.judged_for = std::max(duration, last_event - record.ready);
   if (options.scenario != nullptr)

@@ -49,8 +49,9 @@ void report_end(const ProcessResult& result, std::chrono::seconds limit, const s
 
 }  // namespace
 
-std::optional<RunRecord> execute(const std::string& program, const Board& board, const Forest& forest,
-                                 Duration duration, const FaultTable& faults, Diagnostics& diagnostics) {
+std::optional<RunRecord> execute(const std::string& program, const Board& board, const Robot& robot,
+                                 const Forest& forest, Duration duration, const FaultTable& faults,
+                                 Diagnostics& diagnostics) {
   // An emulated second takes well under a second; the limit only ends images that hang.
   const std::chrono::seconds limit(60 + 10 * floor_div(duration, seconds(1)));
   const std::vector<std::string> command =
@@ -64,15 +65,16 @@ std::optional<RunRecord> execute(const std::string& program, const Board& board,
                        diagnostics);
     return std::nullopt;
   }
-  auto record = parse_record(result.output, forest, duration);
+  auto record = parse_record(result.output, forest, robot.buses.size(), duration);
   if (result.timed_out || result.exit_status != 0) {
     const FaultCount* stop = record && record->stopped_at ? stopping_fault(faults, record->faults, true) : nullptr;
-    if (stop != nullptr) {
-      report_safe_stop(faults, record->faults, *stop, "at " + units::format_duration(*record->stopped_at), diagnostics);
-    } else {
+    if (stop == nullptr) {
       report_end(result, limit, record, faults, diagnostics);
+      return std::nullopt;
     }
-    return std::nullopt;
+    Diagnostics said;
+    report_safe_stop(faults, record->faults, *stop, "at " + units::format_duration(*record->stopped_at), said);
+    record->stopped = said.in_file_order();
   }
   if (!record) diagnostics.error(code::broken_record, {}, "cannot read the record printed by the firmware");
   if (record && !board.is_host()) record->instruction_time = nanoseconds(1 << kInstructionShift);

@@ -11,8 +11,10 @@
 namespace finemote::gen {
 
 /// Runs `program` as built for `board`, which stands in for others. Reports FM0006 when the emulator is missing, FM6002
-/// when the firmware stops with a fault or does not end in time, FM6003 when its record cannot be read.
-std::optional<RunRecord> execute(const std::string& program, const Board& board, const Forest& forest,
-                                 Duration duration, const FaultTable& faults, Diagnostics& diagnostics);
+/// when the firmware ends by itself or not in time, FM6003 when its record cannot be read. A safe stop is in the
+/// record.
+std::optional<RunRecord> execute(const std::string& program, const Board& board, const Robot& robot,
+                                 const Forest& forest, Duration duration, const FaultTable& faults,
+                                 Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -19,33 +19,35 @@ std::vector<DeviceId> way_to_root(const Robot& robot, DeviceId from) {
   return way;
 }
 
-/// Ways over parents and readers, depth first. Robots are read only when neither goes in a circle.
-class WaysUp {
- public:
-  WaysUp(const Robot& robot, DeviceId to) : to_(to), next_(robot.devices.size()) {
-    for (const DeviceId reader : robot.devices.ids()) {
-      for (const Read& read : robot.devices[reader].reads) next_[read.device].push_back(reader);
-      if (robot.devices[reader].parent) next_[reader].push_back(*robot.devices[reader].parent);
-    }
+/// Those whose update() a device's update() reads.
+Table<DeviceId, std::vector<DeviceId>> feeders_of_all(const Robot& robot) {
+  Table<DeviceId, std::vector<DeviceId>> feeders(robot.devices.size());
+  for (const DeviceId reader : robot.devices.ids()) {
+    for (const Read& read : robot.devices[reader].reads) feeders[reader].push_back(read.device);
+    if (const auto parent = robot.devices[reader].parent) feeders[*parent].push_back(reader);
   }
+  return feeders;
+}
 
-  std::vector<std::vector<DeviceId>> from(DeviceId device) {
-    way_.push_back(device);
-    if (device == to_) ways_.push_back(way_);
-    for (const DeviceId next : next_[device]) {
-      const bool is_passed = std::find(way_.begin(), way_.end(), next) != way_.end();
-      if (!is_passed && ways_.size() < kMostWays) from(next);
+/// Leaves out of `feeders` what no data of `source` passes. True where they reach `device`.
+class Reach {
+ public:
+  Reach(DeviceId source, Table<DeviceId, std::vector<DeviceId>>& feeders)
+      : source_(source), feeders_(feeders), reached_(feeders.size()) {}
+
+  bool reaches(DeviceId device) {  // robots are read only when neither parents nor readers go in a circle
+    if (device == source_) return true;
+    if (!reached_[device]) {
+      std::erase_if(feeders_[device], [&](DeviceId feeder) { return !reaches(feeder); });
+      reached_[device] = !feeders_[device].empty();
     }
-    way_.pop_back();
-    return ways_;
+    return *reached_[device];
   }
 
  private:
-  static constexpr std::size_t kMostWays = 64;
-  DeviceId to_;
-  Table<DeviceId, std::vector<DeviceId>> next_;
-  std::vector<DeviceId> way_;
-  std::vector<std::vector<DeviceId>> ways_;
+  DeviceId source_;
+  Table<DeviceId, std::vector<DeviceId>>& feeders_;
+  Table<DeviceId, std::optional<bool>> reached_;
 };
 
 }  // namespace
@@ -73,54 +75,72 @@ std::vector<Duration> stage_times(const RunRecord& record, const std::vector<Sta
   return times;
 }
 
-std::vector<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId to) {
-  std::vector<DeviceId> down = way_to_root(robot, to);
-  std::reverse(down.begin(), down.end());
+std::optional<ChainFlow> find_chain(const Robot& robot, DeviceId from, DeviceId to) {
+  ChainFlow flow{from, Table<DeviceId, std::vector<DeviceId>>(robot.devices.size()), way_to_root(robot, to)};
+  const DeviceId root = flow.handles.back();
   const std::vector<DeviceId> up = way_to_root(robot, from);
-  if (up.back() == down.front()) return {{up, down}};
-  std::vector<ChainPath> all;
-  for (const std::vector<DeviceId>& way : WaysUp(robot, down.front()).from(from)) all.push_back({way, down});
-  return all;
+  if (up.back() == root) {
+    for (std::size_t i = 1; i < up.size(); ++i) flow.feeders[up[i]] = {up[i - 1]};
+    return flow;
+  }
+  flow.feeders = feeders_of_all(robot);
+  return Reach(from, flow.feeders).reaches(root) ? std::optional(std::move(flow)) : std::nullopt;
 }
 
 namespace {
 
-using Hops = std::vector<const std::vector<StageRun>*>;
+/// From the runs of the stages of a chain to the updates of its source.
+class Origins {
+ public:
+  Origins(const StageRuns& runs, const ChainFlow& flow) : runs_(runs), flow_(flow), known_(flow.feeders.size()) {}
 
-/// The runs of every stage on the way, from the actuator's handle back to the source's update.
-Hops hops_of(const StageRuns& runs, const ChainPath& path) {
-  Hops hops;
-  for (auto device = path.down.rbegin(); device != path.down.rend(); ++device) hops.push_back(&runs.of(*device, true));
-  for (auto device = path.up.rbegin(); device != path.up.rend(); ++device) hops.push_back(&runs.of(*device, false));
-  return hops;
-}
+  /// The oldest update of the source that data of a command of its end came from; null: of some feeder none yet.
+  const StageRun* of_command(const StageRun& handle) {
+    const StageRun* run = &handle;
+    for (std::size_t hop = 1; hop < flow_.handles.size() && run != nullptr; ++hop)
+      run = finished_by(runs_.of(flow_.handles[hop], true), run->begin);
+    return run != nullptr ? of_latest_update(flow_.handles.back(), run->begin) : nullptr;
+  }
 
-/// The update that the data of the chain's last run came from; null: none yet.
-const StageRun* source_of(const Hops& hops, const StageRun& last) {
-  const StageRun* run = &last;
-  for (std::size_t hop = 1; hop < hops.size() && run != nullptr; ++hop) run = finished_by(*hops[hop], run->begin);
-  return run;
-}
+ private:
+  const StageRun* of_latest_update(DeviceId device, Duration time) {
+    const std::vector<StageRun>& updates = runs_.of(device, false);
+    const StageRun* run = finished_by(updates, time);
+    if (run == nullptr || device == flow_.source) return run;
+    auto& known = known_[device];
+    known.resize(updates.size());
+    auto& origin = known[static_cast<std::size_t>(run - updates.data())];
+    if (!origin) origin = oldest_of_feeders(device, run->begin);
+    return *origin;
+  }
+
+  const StageRun* oldest_of_feeders(DeviceId device, Duration time) {
+    const StageRun* oldest = nullptr;
+    for (const DeviceId feeder : flow_.feeders[device]) {
+      const StageRun* origin = of_latest_update(feeder, time);
+      if (origin == nullptr) return nullptr;
+      if (oldest == nullptr || origin->begin < oldest->begin) oldest = origin;
+    }
+    return oldest;
+  }
+
+  const StageRuns& runs_;
+  const ChainFlow& flow_;
+  Table<DeviceId, std::vector<std::optional<const StageRun*>>> known_;
+};
 
 }  // namespace
 
 std::vector<DecisionSample> decision_samples(const RunRecord& record, const StageRuns& runs,
-                                             const std::vector<ChainPath>& paths) {
-  std::vector<Hops> ways;
-  for (const ChainPath& path : paths) ways.push_back(hops_of(runs, path));
+                                             const std::optional<ChainFlow>& flow) {
   std::vector<DecisionSample> samples;
-  if (ways.empty()) return samples;
-  const std::vector<StageRun>& handles = *ways.front().front();
+  if (!flow) return samples;
+  Origins origins(runs, *flow);
+  const std::vector<StageRun>& handles = runs.of(flow->handles.front(), true);
   for (std::size_t run = 0; run < handles.size(); ++run) {
-    const StageRun* oldest = nullptr;
-    bool came_by_all = true;
-    for (const Hops& way : ways) {
-      const StageRun* source = source_of(way, handles[run]);
-      came_by_all = came_by_all && source != nullptr;
-      if (source != nullptr && (oldest == nullptr || source->begin < oldest->begin)) oldest = source;
-    }
-    if (came_by_all && oldest->begin >= record.ready)
-      samples.push_back({*oldest, handles[run].end, static_cast<std::uint32_t>(run)});
+    const StageRun* update = origins.of_command(handles[run]);
+    if (update != nullptr && update->begin >= record.ready)
+      samples.push_back({*update, handles[run].end, static_cast<std::uint32_t>(run)});
   }
   return samples;
 }

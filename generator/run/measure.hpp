@@ -34,16 +34,17 @@ const StageRun* ended_at(const std::vector<StageRun>& runs, Duration end);
 /// Time from begin to end of every run of a stage that began after the bring-up, preemption included.
 std::vector<Duration> stage_times(const RunRecord& record, const std::vector<StageRun>& runs);
 
-/// A way of data from update() of one device to handle() of another. It turns at the root of the other's tree, as the
+/// How data from update() of one device reaches handle() of another. It turns at the root of the other's tree, as the
 /// bound does: data that turns below is never older.
-struct ChainPath {
-  std::vector<DeviceId> up;    ///< devices whose update() it passes, source first; the last one turns
-  std::vector<DeviceId> down;  ///< devices whose handle() it passes, the turning one first, the actuator last
+struct ChainFlow {
+  DeviceId source;
+  Table<DeviceId, std::vector<DeviceId>> feeders;  ///< of each device: whose updates with data of the source it reads
+  std::vector<DeviceId> handles;                   ///< devices whose handle() it passes, the last first, the root last
 };
 
-/// The way along the tree where both are in one, else all ways over `reads` edges too, 64 at most. Empty when no data
-/// of `from` reaches `to`.
-std::vector<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId to);
+/// The way along the tree where both are in one, else all ways over `reads` edges too. None when no data of `from`
+/// reaches `to`.
+std::optional<ChainFlow> find_chain(const Robot& robot, DeviceId from, DeviceId to);
 
 /// One command of a chain's end, and the update its data came from.
 struct DecisionSample {
@@ -56,6 +57,6 @@ struct DecisionSample {
 /// finished before the reader's stage began (paper, definition 3). Jobs at the start whose data comes from no update
 /// yet, or from one during the bring-up, are left out.
 std::vector<DecisionSample> decision_samples(const RunRecord& record, const StageRuns& runs,
-                                             const std::vector<ChainPath>& paths);
+                                             const std::optional<ChainFlow>& flow);
 
 }  // namespace finemote::gen

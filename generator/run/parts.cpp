@@ -233,6 +233,15 @@ Json device_part(const Robot& robot, DeviceId id, const std::string& body, const
   return part;
 }
 
+/// Of a device without a model: on CAN a node that acknowledges what is sent to it, or the controller would repeat it
+/// for ever; null elsewhere.
+Json stand_in(const Robot& robot, const Device& device) {
+  if (!type_of(robot, *device.segment).is_arbitrated) return {};
+  Json part{{"type", "can_listener"}, {"name", device.name.text + ".node"}};
+  add_place(robot, *device.segment, part);
+  return part;
+}
+
 }  // namespace
 
 EmulatedParts emulated_parts(const Robot& robot, const CommandFrames& frames) {
@@ -249,6 +258,7 @@ EmulatedParts emulated_parts(const Robot& robot, const CommandFrames& frames) {
       parts.push_back(device_part(robot, id, body.is_null() ? "" : body["name"], frames));
     } else if (device.segment) {
       result.silent.push_back(device.name.text);
+      if (const Json part = stand_in(robot, device); !part.is_null()) parts.push_back(part);
     }
     for (const Use& use : device.uses) {
       const bool serial = use.segment && type_of(robot, *use.segment).has_line_format;

@@ -20,9 +20,9 @@ struct UndrivenBody {
 /// What hangs on the board.
 struct EmulatedParts {
   /// A `finemote.scenario/1` document (docs/reference/emulator.md): the body, every expander, and every device whose
-  /// descriptor names a model (`emulation`), named like the device.
+  /// descriptor names a model (`emulation`), named like the device. A `NAME.node` on CAN for every other device there.
   nlohmann::ordered_json scenario;
-  /// Devices on a bus without a model: their wire stays silent.
+  /// Devices on a bus without a model: nobody answers them.
   std::vector<std::string> silent;
   std::vector<UndrivenBody> undriven;
 };

@@ -7,6 +7,7 @@
 #include "generator/board_sources/port_objects.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/image/exception.hpp"
+#include "generator/model/part_clock.hpp"
 #include "generator/units/checked.hpp"
 
 namespace finemote::gen {
@@ -46,7 +47,7 @@ std::vector<PinLine> pin_lines(const Robot& robot, const timing::Model& model, D
     for (const timing::Bus& bus : model.buses) {
       if (!bus.sources) continue;
       for (const timing::InterruptSource& source : *bus.sources)
-        if (source.pin) add_source(robot, model, source, with_clock_error(window), lines);
+        if (source.pin) add_source(robot, model, source, longest_counted(robot, window), lines);
     }
   } catch (const Overflow&) {
     lines.clear();

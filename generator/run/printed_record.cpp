@@ -38,11 +38,11 @@ bool read_overruns(std::istringstream& words, RunRecord& record) {
   return true;
 }
 
-bool read_bus(std::istringstream& words, Duration duration, RunRecord& record) {
+bool read_bus(std::istringstream& words, std::size_t buses, Duration duration, RunRecord& record) {
   BusRecord bus;
   std::size_t index = 0;
   double busy_ns = 0;
-  if (!(words >> index >> bus.transfers >> bus.errors)) return false;
+  if (!(words >> index >> bus.transfers >> bus.errors) || index >= buses) return false;
   bus.bus = BusId{index};
   if (words >> busy_ns && duration > Duration::zero()) bus.busy = busy_ns / static_cast<double>(duration.ns());
   record.buses.push_back(bus);
@@ -78,7 +78,8 @@ bool read_monitor(std::istringstream& words, const Forest& forest, RunRecord& re
 
 }  // namespace
 
-std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, Duration duration) {
+std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, std::size_t buses,
+                                      Duration duration) {
   RunRecord record;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -93,7 +94,7 @@ std::optional<RunRecord> parse_record(const std::string& text, const Forest& for
         good = read_overruns(words, record);
         break;
       case 'B':
-        good = read_bus(words, duration, record);
+        good = read_bus(words, buses, duration, record);
         break;
       case 'F':
         good = read_fault(words, record);

@@ -21,7 +21,6 @@ namespace finemote::gen {
 namespace {
 
 constexpr std::size_t kMostOutput = std::size_t{256} << 20;
-constexpr int kNoSuchProgram = 127;
 
 /// While it lives, signals that ask this process to stop are kept and can be polled for.
 class StopRequests {
@@ -59,7 +58,9 @@ class StopRequests {
   int file_ = -1;
 };
 
-[[noreturn]] void become(std::vector<std::string> command, const std::vector<std::string>& environment, int out) {
+/// @param failed  where a byte is written if there is no such program; closed as another one starts
+[[noreturn]] void become(std::vector<std::string> command, const std::vector<std::string>& environment, int out,
+                         int failed) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // where this process has no time to end it: SIGKILL
   const int nothing = open("/dev/null", O_RDONLY);
@@ -78,54 +79,89 @@ class StopRequests {
   for (std::string& word : command) words.push_back(word.data());
   words.push_back(nullptr);
   execvp(words[0], words.data());
-  _exit(kNoSuchProgram);
+  _exit(write(failed, "", 1) == 1 ? EXIT_FAILURE : EXIT_SUCCESS);
 }
 
-enum class End : std::uint8_t { closed, timed_out, stopped };
+using Clock = std::chrono::steady_clock;
+
+/// At least 0, at most what poll() takes [ms].
+int milliseconds_until(Clock::time_point end) {
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+  return static_cast<int>(std::clamp<std::int64_t>(left, 0, INT_MAX));
+}
+
+enum class End : std::uint8_t { by_itself, timed_out, stopped };
 
 /// Collects output until the pipe closes, the time is over, or this process is asked to stop.
-End collect(int pipe, int stop, std::chrono::steady_clock::time_point end, std::string& output) {
+End collect(int pipe, int stop, Clock::time_point end, std::string& output) {
   std::array<char, 65536> chunk{};
   for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
-    if (left.count() <= 0) return End::timed_out;
+    const int left = milliseconds_until(end);
+    if (left == 0) return End::timed_out;
     std::array<pollfd, 2> wait{{{pipe, POLLIN, 0}, {stop, POLLIN, 0}}};
-    const int ready = poll(wait.data(), wait.size(), static_cast<int>(std::min<std::int64_t>(left.count(), INT_MAX)));
+    const int ready = poll(wait.data(), wait.size(), left);
     if (ready < 0 && errno == EINTR) continue;
     if (ready <= 0) return End::timed_out;
     if (wait[1].revents != 0) return End::stopped;
     const ssize_t count = read(pipe, chunk.data(), chunk.size());
-    if (count <= 0) return End::closed;
+    if (count <= 0) return End::by_itself;
     if (output.size() < kMostOutput) output.append(chunk.data(), static_cast<std::size_t>(count));
   }
+}
+
+/// Waits until the child has ended, the time is over, or this process is asked to stop: a child may close its output
+/// long before it ends.
+End await(pid_t child, int stop, Clock::time_point end, int& status) {
+  constexpr int kLongestPause = 50;  // ms
+  for (int pause = 1;; pause = std::min(2 * pause, kLongestPause)) {
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended == child || (ended < 0 && errno != EINTR)) return End::by_itself;
+    const int left = milliseconds_until(end);
+    if (left == 0) return End::timed_out;
+    pollfd wait{stop, POLLIN, 0};
+    if (poll(&wait, 1, std::min(pause, left)) > 0) return End::stopped;
+  }
+}
+
+/// The exit status of a child that is killed with all of its group.
+int killed(pid_t child) {
+  int status = 0;
+  kill(-child, SIGKILL);
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+  return status;
 }
 
 }  // namespace
 
 ProcessResult run_process(const std::vector<std::string>& command, std::chrono::seconds limit,
                           const std::vector<std::string>& environment) {
-  std::array<int, 2> pipes{};
-  if (pipe2(pipes.data(), O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
+  std::array<int, 2> pipes{}, failures{};
+  if (pipe2(pipes.data(), O_CLOEXEC) != 0 || pipe2(failures.data(), O_CLOEXEC) != 0)
+    throw std::runtime_error("cannot make a pipe");
   const StopRequests stop;
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot start a process");
   if (child == 0) {
     stop.let_through();
-    become(command, environment, pipes[1]);
+    become(command, environment, pipes[1], failures[1]);
   }
   setpgid(child, child);  // whoever of the two comes first: from here on the group can be killed
   close(pipes[1]);
+  close(failures[1]);
 
   ProcessResult result;
-  const End end = collect(pipes[0], stop.file(), std::chrono::steady_clock::now() + limit, result.output);
-  result.timed_out = end == End::timed_out;
-  if (end != End::closed) kill(-child, SIGKILL);
-  close(pipes[0]);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+  const Clock::time_point latest = Clock::now() + limit;
+  End end = collect(pipes[0], stop.file(), latest, result.output);
+  if (end == End::by_itself) end = await(child, stop.file(), latest, status);
+  if (end != End::by_itself) status = killed(child);
+  char failure = 0;
+  result.started = read(failures[0], &failure, 1) == 0;
+  close(pipes[0]);
+  close(failures[0]);
   if (end == End::stopped) throw StopRequested{stop.signal()};
+  result.timed_out = end == End::timed_out;
   result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  result.started = result.exit_status != kNoSuchProgram;
   return result;
 }
 

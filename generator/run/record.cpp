@@ -59,6 +59,7 @@ void merge(RunRecord& all, const RunRecord& more) {
   }
   for (std::size_t i = 0; i < all.buses.size() && i < more.buses.size(); ++i)
     all.buses[i].errors = std::max(all.buses[i].errors, more.buses[i].errors);
+  if (all.stopped.empty()) all.stopped = more.stopped;
   all.resets += more.resets;
   all.scripted_resets += more.scripted_resets;
   all.late_violations += more.late_violations;

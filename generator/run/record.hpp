@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/diagnostic/diagnostics.hpp"
 #include "generator/forest/forest.hpp"
 #include "generator/run/fault_table.hpp"
 #include "generator/run/silicon.hpp"
@@ -157,6 +158,7 @@ struct RunRecord {
   std::vector<FaultCount> faults;       ///< in the order of their first times
   std::vector<FaultCount> late_faults;  ///< of these, counted after the bring-up and before `violated_from`
   std::uint64_t late_violations = 0;    ///< counted by the monitor before `violated_from`
+  std::vector<Diagnostic> stopped;      ///< why the firmware stopped after its first release: FM6002; empty: it did not
   bool is_traffic_judged = true;        ///< it was counted while no assumption was violated
   std::optional<Duration> instruction_time;  ///< every one takes that long: the run counts them instead of time
   std::optional<Duration> stopped_at;        ///< it went to its safe stop; host and qemu_f405 only

@@ -1,5 +1,7 @@
 #include "generator/run/run_result.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -90,6 +92,16 @@ bool RunResult::bounds_hold() const {
   return is_monitored_well && std::none_of(all.begin(), all.end(), [&](const Judged& j) { return is_wrong(*this, j); });
 }
 
+RunResult::BoundCount RunResult::count_bounds() const {
+  BoundCount count;
+  for (const Judged& judged : judgements(*this)) {
+    const bool is_broken = judged.judgement == Judgement::broken;
+    count.judged += is_broken || judged.judgement == Judgement::held ? 1 : 0;
+    if (is_broken) ++(is_wrong(*this, judged) ? count.broken : count.excused);
+  }
+  return count;
+}
+
 bool RunResult::claims_hold() const {
   return std::none_of(figures.claims.begin(), figures.claims.end(), [&](const MeasuredClaim& claim) {
     return std::any_of(kClaimFigures.begin(), kClaimFigures.end(), [&](const auto& figure) {
@@ -121,14 +133,32 @@ std::vector<FaultCount> RunResult::unexplained_faults() const {
   return faults;
 }
 
-bool RunResult::good() const {
+std::vector<std::string> RunResult::failures() const {
+  std::vector<std::string> list;
+  const auto add = [&](bool is_so, const char* words) {
+    if (is_so) list.emplace_back(words);
+  };
+  const auto add_number = [&](std::uint64_t number, const char* one, const char* several) {
+    if (number > 0) list.push_back(fmt::format("{} {}", number, number == 1 ? one : several));
+  };
+  const std::size_t broken = count_bounds().broken;
   const auto& expected = record.expectations;
-  const bool as_expected =
-      std::all_of(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return e.ok; });
-  if (must_judge && !is_judged()) return false;
-  if (order.mistake || !unexplained_faults().empty()) return false;
-  return overruns() == 0 && record.resets == 0 && wcets_hold && loops_hold && traffic_holds && as_expected &&
-         bounds_hold() && claims_hold();
+  add(!record.stopped.empty(), "the firmware stopped");
+  add(must_judge && !is_judged(), "nothing was judged");
+  add_number(broken, "value above its bound", "values above their bounds");
+  add(broken == 0 && !bounds_hold(), "the monitor counted values above their bounds");
+  add(!claims_hold(), "a false time stamp, or data that are too old");
+  add(order.mistake.has_value(), "a stage out of its order");
+  add_number(overruns(), "overrun", "overruns");
+  add_number(record.resets, "reset", "resets");
+  add(!declared_hold, "a declared execution time below its bound");
+  add(!wcets_hold, "an execution time above its WCET");
+  add(!loops_hold, "a loop with more iterations than its mark says");
+  add(!traffic_holds, "more traffic than is declared");
+  add_number(unexplained_faults().size(), "fault that no scenario asked for", "faults that no scenario asked for");
+  add_number(std::count_if(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return !e.ok; }),
+             "expectation not met", "expectations not met");
+  return list;
 }
 
 const std::string& name_of(const RunResult& result, DeviceId device) { return result.robot.devices[device].name.text; }

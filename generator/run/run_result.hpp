@@ -27,6 +27,7 @@ struct RunResult {
   timing::RobotBounds bounds;                      ///< what a monitor in the image held it to
   std::optional<bool> schedulable = std::nullopt;  ///< as analyze says; none where it gives no answer
   Table<DeviceId, Wcet> wcets_given = {};          ///< what the analysis uses
+  bool declared_hold = true;                       ///< no declared time is below its bound
   bool wcets_hold = true;                          ///< no stage took longer by itself than its WCET
   std::vector<ToldLoop> loops = {};                ///< of the image
   bool loops_hold = true;                          ///< none turned more often than its mark says
@@ -42,17 +43,23 @@ struct RunResult {
   [[nodiscard]] bool bounds_hold() const;
   /// No device claims its data fresher than they are, or uses some that it says are too old, but for the same.
   [[nodiscard]] bool claims_hold() const;
+  /// Figures that were held against a bound, those above it, and those above one that no longer counts because the
+  /// scenario violated its assumption.
+  struct BoundCount {
+    std::size_t judged = 0, broken = 0, excused = 0;
+  };
+  [[nodiscard]] BoundCount count_bounds() const;
   /// Some bound was held or broken.
   [[nodiscard]] bool is_judged() const;
   /// Every bound there could be was held or broken.
   [[nodiscard]] bool is_all_judged() const;
   /// Faults counted after the bring-up that nothing explains: no fault of a scenario before, no part that is not there.
   [[nodiscard]] std::vector<FaultCount> unexplained_faults() const;
-  /// Of the run itself, whatever the analysis says: no overrun, no reset, no stage out of order or longer than its
-  /// WCET, no loop longer than its mark says, no bus with more
-  /// than is declared, no fault that nothing explains, all as the scenario expects, something
-  /// judged, and bounds and claims hold.
-  [[nodiscard]] bool good() const;
+  /// What is not as it should be in the run itself, whatever the analysis says, a few words each: overruns, resets,
+  /// stops, stages out of order or longer than their WCET, declared times below their bounds, loops longer than their
+  /// mark says, buses with more than is declared, faults that nothing explains, expectations that were not met, nothing
+  /// judged, bounds and claims that do not hold.
+  [[nodiscard]] std::vector<std::string> failures() const;
 };
 
 [[nodiscard]] const std::string& name_of(const RunResult& result, DeviceId device);

@@ -9,30 +9,17 @@
 namespace finemote::gen {
 namespace {
 
-/// How many figures were held against their bounds, and how many are above.
-struct Count {
-  std::size_t judged = 0, broken = 0;
-
-  template <class Of, class Figures>
-  void add(const Of& of, const Figures& figures) {
-    for (const auto& figure : figures) {
-      const Judgement j = (of.*figure.measured).judged();
-      judged += j == Judgement::held || j == Judgement::broken ? 1 : 0;
-      broken += j == Judgement::broken ? 1 : 0;
-    }
-  }
-};
-
 void print_bounds(const RunResult& result, std::ostream& out) {
-  Count count;
-  for (const MeasuredChain& chain : result.figures.chains) count.add(chain, kChainFigures);
-  for (const MeasuredResponse& response : result.figures.responses) count.add(response, kResponseFigures);
+  const RunResult::BoundCount count = result.count_bounds();
   if (count.broken > 0)
     out << fmt::format("ABOVE THEIR BOUNDS: {} of {} measured values\n", count.broken, count.judged);
   else if (count.judged > 0)
-    out << fmt::format("every bound was held, by {} measured values\n", count.judged);
+    out << fmt::format("every bound that counts was held, by {} measured values\n", count.judged - count.excused);
   else if (result.must_judge)
     out << "nothing was judged: no figure has both a bound and a sample\n";
+  if (count.excused > 0)
+    out << fmt::format("{} more {} above bounds that do not count: the scenario violated their assumption\n",
+                       count.excused, count.excused == 1 ? "value is" : "values are");
 }
 
 void print_worst_age(const RunResult& result, std::ostream& out) {

@@ -226,22 +226,26 @@ void print_unjudged(const RunResult& result, std::ostream& out) {
   if (!lines.empty()) out << "\nnot judged\n" << lines;
 }
 
-/// Parts that were waited for in vain.
-std::string missing_text(const RunResult& result) {
-  std::string names;
-  for (const std::string& part : result.record.absent) names += (names.empty() ? "" : ", ") + part;
-  return names.empty() ? names : " but: " + names;
+std::string verdict_text(const std::vector<std::string>& failures) {
+  return failures.empty() ? "passed" : fmt::format("FAILED: {}", fmt::join(failures, "; "));
+}
+
+/// What the bring-up ended with, and the parts that were waited for in vain or that nobody plays.
+std::string seen_parts_text(const RunResult& result) {
+  std::vector<std::string> missing = result.record.absent;
+  for (const std::string& device : result.record.silent) missing.push_back(device + " (no model)");
+  return missing.empty() ? ", when every part had been seen"
+                         : fmt::format("; never seen: {}", fmt::join(missing, ", "));
 }
 
 /// `, declared 12.3 % at most`: how much of a time as long as the run the busier line of a bus can be in use.
 std::string declared_text(const std::vector<MeasuredTraffic>& all, BusId bus) {
   const MeasuredTraffic* found = find_traffic(all, bus);
-  if (found == nullptr || !found->sent.most) return "";
+  if (found == nullptr || !found->sent.most || found->window < milliseconds(1)) return "";
   Duration most = *found->sent.most;
   if (found->received && !found->received->most) return "";
   if (found->received) most = std::max(most, *found->received->most);
-  const double share =
-      static_cast<double>(most.ns()) / static_cast<double>(std::max(found->window, nanoseconds(1)).ns());
+  const double share = static_cast<double>(most.ns()) / static_cast<double>(found->window.ns());
   return fmt::format(", declared {:.1f} % at most", 100 * share);
 }
 
@@ -254,13 +258,12 @@ void print_image(const ImageFacts& image, std::ostream& out) {
                      image.stack ? fmt::format("{} B (proven worst case)", *image.stack) : "without bound");
 }
 
-void print_run(const RunResult& result, bool is_verbose, std::ostream& out) {
+void print_run(const RunResult& result, const std::vector<std::string>& failures, bool is_verbose, std::ostream& out) {
   const Duration lasted = std::max(result.duration, round_up(result.record.judged_for, microseconds(1)));
-  out << fmt::format("{} on {}, {}{}\n", result.robot.name.text, result.board, units::spaced_duration(lasted),
-                     lasted > result.duration ? ", as long as the scenario lasts" : "");
+  out << fmt::format("{} on {}, {}{}: {}\n", result.robot.name.text, result.board, units::spaced_duration(lasted),
+                     lasted > result.duration ? ", as long as the scenario lasts" : "", verdict_text(failures));
   if (result.must_judge)
-    out << fmt::format("judged from {:.3f} ms on, when every part had been seen{}\n",
-                       milliseconds_of(result.record.ready), missing_text(result));
+    out << fmt::format("judged from {:.3f} ms on{}\n", milliseconds_of(result.record.ready), seen_parts_text(result));
   if (result.phases > 1)
     out << fmt::format("{} runs with random phases and clock errors of seed {}\n", result.phases, result.seed);
   print_image(result.image, out);
@@ -281,7 +284,6 @@ void print_run(const RunResult& result, bool is_verbose, std::ostream& out) {
   print_instructions(result, out);
   if (!result.record.buses.empty()) out << "\nbuses\n";
   for (const BusRecord& bus : result.record.buses) {
-    if (!result.robot.buses.contains(bus.bus)) continue;
     out << fmt::format("  {:<12} {:>7} transfers {:>4} errors  busy {:.1f} %{}\n",
                        result.robot.buses[bus.bus].name.text, bus.transfers, bus.errors, 100 * bus.busy,
                        declared_text(result.figures.traffic, bus.bus));
@@ -292,7 +294,10 @@ void print_run(const RunResult& result, bool is_verbose, std::ostream& out) {
   print_expectations(result, out);
   print_wcets(result, out);
   for (const std::string& device : result.record.silent)
-    out << fmt::format("\nnote: the emulated board has no model of '{}': its bus is silent\n", device);
+    out << fmt::format(
+        "\nnote: the emulated board has no model of '{}', so it never answers: 'emulation' in its descriptor can name "
+        "one\n",
+        device);
   print_unjudged(result, out);
 }
 

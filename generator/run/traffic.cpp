@@ -7,6 +7,7 @@
 #include "generator/bus/bus_type.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/model/connection.hpp"
+#include "generator/model/part_clock.hpp"
 #include "generator/timing/traffic_limits.hpp"
 #include "generator/units/checked.hpp"
 #include "generator/units/slow_sender.hpp"
@@ -15,10 +16,11 @@
 namespace finemote::gen {
 namespace {
 
-/// None: the numbers are too large.
-std::optional<Table<timing::BusPlace, timing::TrafficLimit>> limits_of(const timing::Model& model, Duration window) {
+/// In a window of true time, while the model counts by the board's clock. None: the numbers are too large.
+std::optional<Table<timing::BusPlace, timing::TrafficLimit>> limits_of(const Robot& robot, const timing::Model& model,
+                                                                       Duration window) {
   try {
-    return timing::traffic_limits(model, with_clock_error(window));
+    return timing::traffic_limits(model, longest_counted(robot, window));
   } catch (const Overflow&) {
     return std::nullopt;
   }
@@ -58,7 +60,7 @@ std::vector<MeasuredTraffic> measure_traffic(const Robot& robot, const timing::M
   for (const BusRecord& bus : record.buses) {
     const auto place = places.of(bus.bus);
     if (!place || !bus.traffic) continue;
-    if (!limits) limits = limits_of(model, bus.traffic->window);  // of all the same
+    if (!limits) limits = limits_of(robot, model, bus.traffic->window);  // of all the same
     if (!limits) return all;
     const auto& texts = record.text_ports;
     const bool is_text = std::find(texts.begin(), texts.end(), robot.buses[bus.bus].port) != texts.end();

@@ -23,9 +23,6 @@ struct Declared {
   }
 };
 
-/// Times of the model are by the board's clock, of which a run says how far it is off: it is less than this.
-constexpr Duration with_clock_error(Duration window) { return window + ceil_div(window, 1'000); }
-
 /// Adds another run: what it shows counts where it is above what is declared, and nothing was so far.
 template <class Of>
 void merge_judged(std::vector<Of>& all, const std::vector<Of>& more) {

@@ -1,6 +1,6 @@
 #include "generator/simulate/json.hpp"
 
-#include "generator/simulate/hyperperiod.hpp"
+#include "generator/units/hyperperiod.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -17,7 +17,7 @@ Json simulation_json(const timing::Timing& timing, const Simulation& run, const 
            {"profile", timing::profile_name(timing.asked)},
            {"seed", request.seed},
            {"duration_ns", run.duration.ns()},
-           {"hyperperiod_ns", number(hyperperiod_of(timing.model))},
+           {"hyperperiod_ns", number(hyperperiod(timing.model.devices))},
            {"devices", Json::array()},
            {"chains", Json::array()},
            {"misses", run.misses}};

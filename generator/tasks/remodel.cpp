@@ -9,13 +9,9 @@
 namespace finemote::gen::timing {
 namespace {
 
-bool is_same_place(const Position& a, const Position& b) {
-  return a.file == b.file && a.line == b.line && a.column == b.column && a.via == b.via;
-}
-
 /// Those that take over their parent's period.
 bool inherits(const gen::Device& device, const gen::Device& parent) {
-  return device.period == parent.period && is_same_place(device.period_at, parent.period_at);
+  return device.period == parent.period && device.period_at == parent.period_at;
 }
 
 /// The robot's devices whose period changes when it is written at `devices` of the model.

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "generator/timing/oldest.hpp"
-#include "generator/timing/repetition.hpp"
 #include "generator/timing/true_time.hpp"
+#include "generator/units/hyperperiod.hpp"
 
 namespace finemote::gen::timing {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "generator/timing/repetition.hpp"
+#include "generator/units/hyperperiod.hpp"
 
 namespace finemote::gen::timing {
 /// The devices of a chain: down from the root to the terminal, and everything between the source and the root.

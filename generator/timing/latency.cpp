@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "generator/timing/oldest.hpp"
-#include "generator/timing/repetition.hpp"
+#include "generator/units/hyperperiod.hpp"
 
 namespace finemote::gen::timing {
 namespace {

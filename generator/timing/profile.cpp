@@ -14,7 +14,7 @@ namespace {
 std::optional<Duration> known(Duration value) { return value == kNone ? std::nullopt : std::optional<Duration>(value); }
 
 /// Where a release can be lost, all later ones are late, and nothing has a bound.
-void forget(Responses& responses) {
+void mark_all_unbounded(Responses& responses) {
   for (Table<Rank, Duration>* bounds : {&responses.r_plus, &responses.r_minus})
     std::fill(bounds->begin(), bounds->end(), kNone);
   std::fill(responses.bucket.begin(), responses.bucket.end(), kNone);
@@ -58,7 +58,7 @@ constexpr int kRounds = 2;
 
 /// Response times; those of profile target after its streams know what jobs cause. Each round begins with the bounds of
 /// the one before, so that nothing rests on itself.
-Responses respond_in_time(const Model& model, Profile profile, TaskSet& set, Effort& effort) {
+Responses refined_responses(const Model& model, Profile profile, TaskSet& set, Effort& effort) {
   Responses responses = bound_responses(set, effort);
   if (profile != Profile::target || set.bus_streams == 0) return responses;
   for (int round = 0; round < kRounds; ++round) {
@@ -75,14 +75,14 @@ Responses respond_in_time(const Model& model, Profile profile, TaskSet& set, Eff
 }
 
 /// The same where no release is lost, else none; notes the release interrupt.
-Responses respond(const Model& model, TaskSet& set, Effort& effort, ProfileResult& result) {
+Responses responses_of(const Model& model, TaskSet& set, Effort& effort, ProfileResult& result) {
   if (result.profile == Profile::target) result.release = bound_release(model, set, effort);
-  Responses responses = respond_in_time(model, result.profile, set, effort);
+  Responses responses = refined_responses(model, result.profile, set, effort);
   if (!result.release || result.release->ok()) return responses;
   result.release->is_alone =
       std::all_of(responses.bucket.begin(), responses.bucket.end(), [](Duration bucket) { return bucket != kNone; });
-  forget(responses);
-  set = make_task_set(model, result.profile);  // from forgotten responses follows no end of a transfer
+  mark_all_unbounded(responses);
+  set = make_task_set(model, result.profile);  // from unbounded responses follows no end of a transfer
   return responses;
 }
 
@@ -108,7 +108,7 @@ ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Pr
   Effort searches(limits.steps / 2, releases), effort(limits.steps / 2, releases);
   ProfileResult result;
   result.profile = profile;
-  Responses responses = respond(model, set, searches, result);
+  Responses responses = responses_of(model, set, searches, result);
   ReleaseTable table =
       profile == Profile::paper ? ReleaseTable(set, responses) : ReleaseTable::refined(set, responses, effort);
   summarise(set, responses, table, result);
@@ -125,7 +125,7 @@ ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, const Lim
   Effort searches(limits.steps / 2, releases);
   ProfileResult result;
   result.profile = profile;
-  Responses responses = respond(model, set, searches, result);
+  Responses responses = responses_of(model, set, searches, result);
   ReleaseTable table(set, responses);
   summarise(set, responses, table, result);
   stretch(model, result);

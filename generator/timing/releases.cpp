@@ -70,7 +70,7 @@ class ReleaseTable::Builder {
  private:
   /// Whether that is within the limits.
   bool fill_exactly(Bucket& table) {
-    const std::optional<std::int64_t> count = higher_.empty() ? 1 : releases_until_repeat(set_, w_);
+    const std::optional<std::int64_t> count = higher_.empty() ? 1 : releases_per_hyperperiod(set_, w_);
     if (!count || *count > effort_.most_releases() || responses_.closed_form[w_]) return false;
     SurroundingsFinder finder(set_, responses_, w_, higher_, effort_);
     table.rows.clear();

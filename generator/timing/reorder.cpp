@@ -125,6 +125,7 @@ Model reorder(const Model& model, const Order& order) {
     if (!bus.sources) continue;
     for (InterruptSource& source : *bus.sources) {
       for (FrameBudget& b : source.budgets) b.device = place[b.device];
+      if (source.pin) source.pin->device = place[source.pin->device];
     }
   }
   for (Flush& flush : result.flushes) {

@@ -1,22 +1,17 @@
 #include "generator/timing/repetition.hpp"
 
+#include <span>
+
+#include "generator/units/hyperperiod.hpp"
+
 namespace finemote::gen::timing {
 
-std::optional<Duration> common_multiple(std::optional<Duration> a, std::optional<Duration> b) {
-  if (!a || !b) return std::nullopt;
-  std::int64_t product = 0;
-  if (__builtin_mul_overflow(floor_div(*a, gcd(*a, *b)), b->ns(), &product)) return std::nullopt;
-  return nanoseconds(product);
+std::optional<Duration> hyperperiod_to(const TaskSet& set, std::size_t bucket) {
+  return hyperperiod(std::span(set.buckets).first(bucket + 1));
 }
 
-std::optional<Duration> time_until_repeat(const TaskSet& set, std::size_t bucket) {
-  std::optional<Duration> common = set.buckets[bucket].period;
-  for (std::size_t v = 0; v < bucket && common; ++v) common = common_multiple(common, set.buckets[v].period);
-  return common;
-}
-
-std::optional<std::int64_t> releases_until_repeat(const TaskSet& set, std::size_t bucket) {
-  const std::optional<Duration> common = time_until_repeat(set, bucket);
+std::optional<std::int64_t> releases_per_hyperperiod(const TaskSet& set, std::size_t bucket) {
+  const std::optional<Duration> common = hyperperiod_to(set, bucket);
   return common ? std::optional(floor_div(*common, set.buckets[bucket].period)) : std::nullopt;
 }
 

@@ -21,7 +21,7 @@ Duration RestOfJob::from(std::size_t bucket, Duration work, std::size_t stage, D
                          const std::function<Duration(Duration release)>& of) const {
   if (work == Duration::zero() && !asks(bucket, stage)) return {};
   const Duration response = responses_.bucket[bucket];
-  const Duration repeat = time_until_repeat(set_, bucket).value_or(kNever);
+  const Duration repeat = hyperperiod_to(set_, bucket).value_or(kNever);
   if (instants(bucket, repeat, latest) > kMostInstants) return std::min(at(bucket, work, stage, {}), response);
   Duration worst;
   for (Duration release; release < repeat; release += set_.buckets[bucket].period) {

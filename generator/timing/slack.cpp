@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
-#include "generator/timing/response.hpp"
+#include "generator/timing/profile.hpp"
 
 namespace finemote::gen::timing {
 namespace {
 
 bool is_schedulable(const Model& model, Profile profile) {
   try {
-    Effort effort(kTrialLimits);
-    const TaskSet set = make_task_set(model, profile);
-    const Responses responses = bound_responses(set, effort);
-    return std::none_of(responses.bucket.begin(), responses.bucket.end(), [](Duration r) { return r == kNone; });
+    return analyse_deadlines(model, profile, kTrialLimits).result.schedulable;
   } catch (const Overflow&) {
     return false;
   }
@@ -41,8 +38,11 @@ bool survives(const Model& model, Profile profile, std::optional<Rank> only, std
 std::int64_t slack_permille(const Model& model, Profile profile, std::optional<Rank> only) {
   if (!survives(model, profile, only, 0)) return 0;
   std::int64_t good = 0, bad = 1000;
-  while (bad < kMostSlack && survives(model, profile, only, bad)) good = bad, bad *= 2;
-  if (bad >= kMostSlack) return kMostSlack;
+  while (survives(model, profile, only, bad)) {
+    if (bad == kMostSlack) return kMostSlack;
+    good = bad;
+    bad = std::min(2 * bad, kMostSlack);
+  }
   while (bad - good > 1) {
     const std::int64_t middle = good + (bad - good) / 2;
     (survives(model, profile, only, middle) ? good : bad) = middle;

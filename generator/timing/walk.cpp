@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "generator/timing/repetition.hpp"
+#include "generator/units/hyperperiod.hpp"
 
 namespace finemote::gen::timing {
 namespace {

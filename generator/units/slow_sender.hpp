@@ -1,4 +1,4 @@
-// How long what a sender is given for is under way where its clock is as slow as can be understood.
+// Wire time of a frame from the slowest sender that the receiver still understands.
 #pragma once
 
 #include "generator/units/checked.hpp"
@@ -6,8 +6,9 @@
 
 namespace finemote::gen {
 
-/// A sender on a serial line is understood whose clock is off by one part in 22 at most (RM0090 30.3.5): its bytes take
-/// as much longer. Rounded up. wire >= 0.
+/// A sender on a serial line is understood up to 3.75 % off (RM0090 30.3.5): its bytes take up to 3.9 % longer. One
+/// part in 22 covers that, and is what the firmware subtracts where it dates a frame (runtime/src/uart.cpp). Rounded
+/// up. wire >= 0.
 constexpr Duration of_slow_sender(Duration wire) { return wire + ceil_div(wire, 22); }
 
 }  // namespace finemote::gen

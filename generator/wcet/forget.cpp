@@ -29,10 +29,6 @@ std::size_t written_only(const Instruction& i) {
   }
 }
 
-bool is_of_fpu(int reg) {
-  return (reg >= ARM_REG_S0 && reg <= ARM_REG_S31) || (reg >= ARM_REG_D0 && reg <= ARM_REG_D31);
-}
-
 bool is_of_stack(const cs_arm_op& op, const Machine& machine) {
   if (op.type != ARM_OP_REG) return false;
   return Machine::follows(op.reg) ? machine.get(op.reg).is_of_stack : machine.is_stack_in_fpu() && is_of_fpu(op.reg);

@@ -128,12 +128,11 @@ class Robot:
 
     def __init__(self, model):
         self.parent = {d["name"]: d["parent"] for d in model["devices"]}
-        self.readers = {name: [] for name in self.parent}
+        self.feeders = {name: [] for name in self.parent}
         for device in model["devices"]:
-            for read_one in device.get("reads", []):
-                self.readers[read_one].append(device["name"])
+            self.feeders[device["name"]] += device.get("reads", [])
             if device["parent"]:
-                self.readers[device["name"]].append(device["parent"])
+                self.feeders[device["parent"]].append(device["name"])
         self.wcet = {d["name"]: (d["update_wcet_ns"], d["handle_wcet_ns"]) for d in model["devices"]}
 
     def to_root(self, name):
@@ -142,37 +141,56 @@ class Robot:
             way.append(self.parent[way[-1]])
         return way
 
-    def ways(self, source, target, most=64):
-        """Every way of data from update() of `source` over the root of `target`'s tree to its handle()."""
-        down = list(reversed(self.to_root(target)))
-        up = self.to_root(source)
-        if up[-1] == down[0]:
-            return [(up, down)]
-        found = []
+    def feeders_with_data_of(self, source, target):
+        """Of each device whose updates read those of others: the others that data of the source come over on their way
+        to the root of `target`'s tree. Where both are in one tree, that is its way up alone. None: no data come there."""
+        root, up = self.to_root(target)[-1], self.to_root(source)
+        if up[-1] == root:
+            return {reader: [read] for read, reader in zip(up, up[1:])}
+        found = {}
 
-        def search(way):
-            if way[-1] == down[0]:
-                found.append((list(way), down))
-            for reader in self.readers[way[-1]]:
-                if reader not in way and len(found) < most:
-                    search(way + [reader])
+        def reach(device):
+            if device != source and device not in found:
+                found[device] = [feeder for feeder in self.feeders[device] if reach(feeder)]
+            return device == source or bool(found[device])
 
-        search([source])
-        return found
+        return found if reach(root) else None
 
 
-def source_run(stages, number, way, begin):
-    """The update() run that data of a handle() which began at `begin` came from; None: none yet."""
-    up, down = way
-    hops = [(d, True) for d in reversed(down[:-1])] + [(d, False) for d in reversed(up)]
-    index = None
-    for hop in hops:
-        runs = stages[number[hop]]
-        index = runs.last_ended_by(begin)
-        if index is None:
+class Origins:
+    """From the runs of a chain's stages to the updates of its source, the oldest that any of its ways gives."""
+
+    def __init__(self, stages, number, robot, source, target):
+        self.stages, self.number, self.source = stages, number, source
+        self.handles = robot.to_root(target)
+        self.feeders = robot.feeders_with_data_of(source, target)
+        self.known = {}
+
+    def latest(self, device, is_handle, time):
+        """The last run of a stage that ended by then: its number and its begin; None: none yet."""
+        runs = self.stages[self.number[device, is_handle]]
+        index = runs.last_ended_by(time)
+        return None if index is None else (index, runs.begins[index])
+
+    def of_command(self, begin):
+        """The number of the update that data of a handle() which began at `begin` came from; None: none yet."""
+        if self.feeders is None:
             return None
-        begin = runs.begins[index]
-    return index
+        for device in self.handles[1:]:
+            run = self.latest(device, True, begin)
+            if run is None:
+                return None
+            begin = run[1]
+        return self.of_update(self.handles[-1], begin)
+
+    def of_update(self, device, time):
+        run = self.latest(device, False, time)
+        if run is None or device == self.source:
+            return run and run[0]
+        if (device, run[0]) not in self.known:
+            origins = [self.of_update(feeder, run[1]) for feeder in self.feeders[device]]
+            self.known[device, run[0]] = None if None in origins else min(origins)
+        return self.known[device, run[0]]
 
 
 def samples_of(phase):
@@ -257,15 +275,14 @@ class Measures:
         return what[index] if index >= 0 and times[index] >= runs.begins[update] else (None, None)
 
     def measure_chain(self, source, target):
-        ways = self.robot.ways(source, target)
+        origins = Origins(self.stages, self.number, self.robot, source, target)
         updates = self.stages[self.number[source, False]]
         handles = self.stages[self.number[target, True]]
         ready = self.phase.ready
         for job, (begin, end) in enumerate(zip(handles.begins, handles.ends)):
-            runs = [source_run(self.stages, self.number, way, begin) for way in ways]
-            if not runs or any(run is None for run in runs):
+            run = origins.of_command(begin)
+            if run is None:
                 continue
-            run = min(runs, key=lambda r: updates.begins[r])
             start = updates.begins[run]
             if start < ready:
                 continue

@@ -3,8 +3,10 @@
 
 #include <concepts>
 #include <limits>
+#include <vector>
 
 #include "catch.hpp"
+#include "generator/units/hyperperiod.hpp"
 
 using namespace finemote::gen;
 
@@ -63,4 +65,27 @@ TEST_CASE("a time that leaves 64 bits throws") {
   CHECK_THROWS_AS(Duration::max() * 2, Overflow);
   CHECK_THROWS_AS(seconds(std::numeric_limits<std::int64_t>::max()), Overflow);
   CHECK_THROWS_AS(lcm(Duration::max(), Duration::max() - nanoseconds(1)), Overflow);
+}
+
+namespace {
+
+struct Periodic {
+  Duration period;
+};
+
+}  // namespace
+
+TEST_CASE("a hyperperiod is the least common multiple of all periods, up to a limit") {
+  const std::vector<Periodic> some{{milliseconds(4)}, {milliseconds(6)}, {milliseconds(10)}};
+  CHECK(hyperperiod(some) == milliseconds(60));
+  CHECK(hyperperiod(some, milliseconds(60)) == milliseconds(60));
+  CHECK_FALSE(hyperperiod(some, milliseconds(59)));
+  CHECK(two_hyperperiods(some, milliseconds(120)) == milliseconds(120));
+  CHECK(two_hyperperiods(some, milliseconds(1000)) == milliseconds(120));
+  CHECK(two_hyperperiods(some, milliseconds(119)) == milliseconds(119));
+  CHECK(hyperperiod(std::vector<Periodic>{}) == nanoseconds(1));
+  const std::int64_t large = std::int64_t{1} << 62;
+  CHECK(common_multiple(nanoseconds(large), nanoseconds(2)) == nanoseconds(large));
+  CHECK_FALSE(common_multiple(nanoseconds(large), nanoseconds(3)));
+  CHECK_FALSE(common_multiple(std::nullopt, nanoseconds(3)));
 }

@@ -48,6 +48,17 @@ TEST_CASE("what a program says, and how it ends") {
   CHECK(run_process({"sleep", "1000"}, 0s).timed_out);
 }
 
+TEST_CASE("a program that closes its output has still to end in time") {
+  CHECK(run_process({"sh", "-c", "exec >/dev/null 2>&1; exec sleep 1000"}, 1s).timed_out);
+  CHECK(run_process({"sh", "-c", "exec >/dev/null 2>&1; sleep 0.1; exit 4"}, 60s).exit_status == 4);
+}
+
+TEST_CASE("a status of 127 is an answer of a program that was there") {
+  const ProcessResult result = run_process({"sh", "-c", "exit 127"}, 60s);
+  CHECK(result.started);
+  CHECK(result.exit_status == 127);
+}
+
 TEST_CASE("who is told to stop while a program runs ends that one first") {
   const auto file = std::filesystem::temp_directory_path() / ("finemote-process-test-" + std::to_string(getpid()));
   const int signal = GENERATE(SIGTERM, SIGINT, SIGHUP, SIGKILL);

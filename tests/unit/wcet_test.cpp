@@ -368,6 +368,22 @@ TEST_CASE("instructions cost what the reference manual says at most") {
   }
 }
 
+TEST_CASE("a move to the FPU leaves the core registers it reads, one from it does not") {
+  const auto decoded = decode(0, std::string_view("\x06\xEE\x90\x3A"   // vmov s13, r3
+                                                  "\x16\xEE\x90\x3A"   // vmov r3, s13
+                                                  "\x41\xEC\x10\x0B"   // vmov d0, r0, r1
+                                                  "\x51\xEC\x10\x0B"   // vmov r0, r1, d0
+                                                  "\x43\xEC\x10\x2A",  // vmov s0, s1, r2, r3
+                                                  20));
+  REQUIRE(decoded.size() == 5);
+  CHECK_FALSE(may_write(decoded[0], ARM_REG_R3));
+  CHECK(may_write(decoded[0], ARM_REG_S13));
+  CHECK(may_write(decoded[1], ARM_REG_R3));
+  CHECK_FALSE(may_write(decoded[2], ARM_REG_R1));
+  CHECK((may_write(decoded[3], ARM_REG_R0) && may_write(decoded[3], ARM_REG_R1)));
+  CHECK_FALSE(may_write(decoded[4], ARM_REG_R2));
+}
+
 TEST_CASE("waiting for an interrupt has no place in code that must end in time") {
   const auto decoded = decode(0, std::string_view("\x30\xBF", 2));  // wfi
   REQUIRE(decoded.size() == 1);

@@ -193,6 +193,30 @@ TEST_CASE("xacro expression: formatting") {
   CHECK(value_of("'ab'.format()") == "ab");
 }
 
+TEST_CASE("xacro expression: fields of format()") {
+  const auto formatted = [](const std::string& field, const std::string& value) {
+    return value_of("('\\x7b" + field + "\\x7d').format(" + value + ")");
+  };
+  const auto refused = [](const std::string& field, const std::string& value) {
+    return error_of("('\\x7b" + field + "\\x7d').format(" + value + ")");
+  };
+  CHECK(formatted(":010,", "1234") == "00,001,234");
+  CHECK(formatted(":08,", "1234") == "0,001,234");
+  CHECK(formatted(":010,", "-1234") == "-0,001,234");
+  CHECK(formatted(":012,.2f", "1234.5") == "0,001,234.50");
+  CHECK(formatted(":#012_x", "70000") == "0x0_0001_1170");
+  CHECK(formatted(":08_b", "5") == "000_0101");
+  CHECK(formatted(":*=10,", "1234") == "*****1,234");
+  CHECK(formatted(":0>10,", "1234") == "000001,234");
+  CHECK(formatted(":010,", "float('inf')") == "0000000inf");
+  CHECK(formatted(":c", "233") == "\xC3\xA9");
+  CHECK(refused(":c", "-1") == "%c arg not in range(0x110000)");
+  CHECK(refused(":c", "1114112") == "%c arg not in range(0x110000)");
+  CHECK(refused(":c", "55296") == "surrogates not allowed");
+  CHECK(refused("99999999999999999999", "'x'") == "Too many decimal digits in format string");
+  CHECK(error_of("'%c' % 55296") == "surrogates not allowed");
+}
+
 TEST_CASE("xacro expression: mathematics") {
   CHECK(value_of("radians(180) == pi") == "True");
   CHECK(value_of("math.sin(pi/6)") == "0.49999999999999994");

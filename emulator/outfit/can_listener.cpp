@@ -1,0 +1,36 @@
+// A CAN node without a program: it takes part in the bus, and that is all.
+#include "emulator/outfit/models.hpp"
+#include "emulator/outfit/rows.hpp"
+
+namespace finemote::emulator {
+namespace {
+
+using namespace scenario;
+
+class CanListener : public Element {
+ public:
+  CanListener(Outfit& outfit, const Json& part, const std::string& name) : Element(outfit, name) {
+    Can* can = outfit.board().chip().can(need<std::string>(part, "port"));
+    if (can == nullptr) refuse(part, "the board has no such CAN port");
+    can->line.attach({{}, {}, [this](const CanFrame&) { ++frames_; }});
+  }
+  [[nodiscard]] double frames() const { return static_cast<double>(frames_); }
+
+ private:
+  std::uint64_t frames_ = 0;
+};
+
+}  // namespace
+
+Model can_listener() {
+  using Row = Rows<CanListener>;
+  return {
+      .type = "can_listener",
+      .summary = "acknowledges every frame and sends none; `run` places one for every device on CAN without a model",
+      .figures = {required(port("can"))},
+      .values = {Row::value("frames", "", "received so far", [](CanListener& part) { return part.frames(); })},
+      .make = Row::make,
+  };
+}
+
+}  // namespace finemote::emulator
