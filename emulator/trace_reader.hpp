@@ -10,7 +10,7 @@
 
 namespace finemote::emulator {
 
-/// Begin or end of a stage: the runtime's trace event with its time unwrapped.
+/// Start or end of a stage: the runtime's trace event with its time unwrapped.
 struct StageEvent {
   std::int64_t t_ns;    ///< since the first release
   std::uint32_t stage;  ///< 2 * device in schedule order + (0 update, 1 handle)

@@ -16,7 +16,7 @@ class CanFilters {
   /// What takes a standard identifier among the banks of the first, or, for CAN2, the second group.
   [[nodiscard]] std::optional<Match> match(std::uint32_t id, bool second) const;
 
-  /// Nothing: there is no such register. @param offset  from the begin of CAN1
+  /// Nothing: there is no such register. @param offset  from the start of CAN1
   [[nodiscard]] std::optional<std::uint32_t> read(std::uint32_t offset);
   bool write(std::uint32_t offset, std::uint32_t value);
   /// FMR.FINIT: what is written now counts.

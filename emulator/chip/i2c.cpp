@@ -33,7 +33,7 @@ void I2c::update() {
   world_.set_line(wiring_.error_line, (cr2_ >> 8 & 1) != 0 && (sr1_ & kErrors) != 0);
 }
 
-/// Data go by DMA once the address was sent: RM0090 27.3.7. With LAST the byte behind the one before the last is not
+/// Data go by DMA once the address was sent: RM0090 27.3.7. With LAST the byte after the last but one is not
 /// acknowledged.
 void I2c::ask_dma() {
   const bool sends = (sr2_ & kTransmitter) != 0 && (sr1_ & kAddr) == 0;

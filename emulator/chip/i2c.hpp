@@ -55,7 +55,7 @@ class I2c : public Peripheral {
   };
 
   [[nodiscard]] Time bits(unsigned count) const { return count * period_of(bus_hz()); }
-  /// So many bits are on the wire, and then comes `what`.
+  /// `count` bits are on the wire, and then comes `what`.
   void clock(unsigned count, void (I2c::*what)(), Time longer = 0);
   void go(State state) { state_ = state; }
   void write_cr1(std::uint32_t value);

@@ -41,7 +41,7 @@ class Timer : public Peripheral {
     std::function<std::uint32_t()> hz;  ///< 0: it stands
   };
   void lead_in(InnerClock clock) { inner_clock_ = std::move(clock); }
-  /// Turns the encoder it counts by so many edges; elsewhere nothing happens.
+  /// Turns the encoder it counts by `edges` edges; elsewhere nothing happens.
   void turn(int edges);
   /// What channel 1..4 puts out now.
   [[nodiscard]] Pulse pulse(unsigned channel) const;

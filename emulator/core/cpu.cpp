@@ -159,7 +159,7 @@ int Cpu::takeable() const {
   return next != 0 && system_.nvic().priority(next) < priority_limit() ? next : 0;
 }
 
-/// Out of sleep; where the chip is strict in this, without the instruction behind the WFI: ES0182.
+/// Out of sleep; where the chip is strict in this, without the instruction after the WFI: ES0182.
 void Cpu::wake() {
   if (!sleeping_) return;
   sleeping_ = false;

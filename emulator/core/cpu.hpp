@@ -67,7 +67,7 @@ class Cpu : private Outside {
   [[nodiscard]] Time now() const { return core_.pace.time; }
   [[nodiscard]] std::uint32_t pc() const { return core_.pc(); }
   [[nodiscard]] std::uint64_t instructions() const { return core_.pace.instructions; }
-  /// Of `instructions()`, those carried out one by one: turns of a jump to itself are charged together.
+  /// Of `instructions()`, those carried out one by one: iterations of a jump to itself are charged together.
   [[nodiscard]] std::uint64_t executed() const { return core_.pace.instructions - core_.pace.waits; }
   /// Spent in sleep or in a jump to itself.
   [[nodiscard]] Time idle_time() const { return idle_ + core_.pace.waited; }
@@ -113,7 +113,7 @@ class Cpu : private Outside {
   /// What the flash interface is set to. Without its accelerator every new line takes the wait states; a model that
   /// always misses stays what it is.
   void set_flash(bool accelerator, unsigned wait_states);
-  /// The flash does not answer for so long: the core stands, if that is where its instructions come from.
+  /// The flash does not answer for `duration`: the core stands, if that is where its instructions come from.
   void stall_in_flash(Time duration);
   /// Something has written to flash, or to RAM past the processor.
   void flash_changed(std::uint32_t address, std::uint32_t bytes) { core_.take_apart_again(address, bytes); }

@@ -11,7 +11,7 @@
 namespace finemote::emulator {
 namespace {
 
-/// An access to the private peripheral bus waits so long beyond the instruction: the TRM gives no figure. Assumed.
+/// How long an access to the private peripheral bus waits beyond the instruction: the TRM gives no figure. Assumed.
 constexpr unsigned kPrivateBusWait = 2;
 
 /// MPU_CTRL to its last alias of MPU_RASR: PM0214 4.2.

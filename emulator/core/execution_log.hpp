@@ -11,7 +11,7 @@ namespace finemote::emulator {
 struct ExecutionEvent {
   enum class Kind : std::uint8_t {
     enter,   ///< stacking begins; `number`: the exception
-    tail,    ///< the same, directly behind another routine: nothing is stacked
+    tail,    ///< the same, directly after another routine: nothing is stacked
     leave,   ///< the last instruction of the routine has ended; `number`: the exception
     resume,  ///< unstacking has ended; `number`: the exception that was left
     mask,    ///< PRIMASK, FAULTMASK or BASEPRI keeps interrupts out from now on

@@ -42,7 +42,7 @@ struct Image {
   [[nodiscard]] std::optional<Symbol> symbol(const std::string& name) const;
 };
 
-/// By the end of its name: `.hex` is Intel HEX, `.bin` the bytes of the flash from its begin on, anything else a 32-bit
+/// By the end of its name: `.hex` is Intel HEX, `.bin` the bytes of the flash from its start on, anything else a 32-bit
 /// little-endian Arm ELF executable, which alone has marks and symbols.
 /// @throws std::runtime_error naming what is wrong with the file
 Image load_image(const std::string& path);

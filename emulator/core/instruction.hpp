@@ -11,7 +11,7 @@ struct InstructionInfo {
   static constexpr std::uint8_t kMovesStack = 2;     ///< may move the stack pointer down
   static constexpr std::uint8_t kJumps = 4;          ///< may go on elsewhere
   static constexpr std::uint8_t kLoadsPc = 8;        ///< LDR to the PC
-  static constexpr std::uint8_t kAlone = 16;         ///< the next one is not simply the one behind it in the image
+  static constexpr std::uint8_t kAlone = 16;         ///< the next one is not simply the one after it in the image
 
   std::uint8_t cycles = 0;
   std::uint8_t flags = 0;

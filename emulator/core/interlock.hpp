@@ -5,7 +5,7 @@
 
 namespace finemote::emulator {
 
-/// Cycles that `second` waits when it runs directly behind `first`: for an address that `first` computes, or for the
+/// Cycles that `second` waits when it runs directly after `first`: for an address that `first` computes, or for the
 /// floating-point result or flags of `first`.
 unsigned interlock(const Operation& first, const Operation& second);
 

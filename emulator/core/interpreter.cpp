@@ -103,7 +103,7 @@ inline void Interpreter::arrive(std::uint32_t address, std::uint32_t expected) {
   }
 }
 
-/// A jump to itself waits for an interrupt: all its turns until `Pace::stop_at` are charged at once.
+/// A jump to itself waits for an interrupt: all its iterations until `Pace::stop_at` are charged at once.
 template <CostModel Cost>
 void Interpreter::wait_in_place(unsigned cycles) {
   if (pace.time >= pace.stop_at) return;

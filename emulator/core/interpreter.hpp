@@ -59,7 +59,7 @@ struct MemoryView {
   bool ram_at_zero = false;         ///< SRAM1 and not the flash
   bool runs_zero = true;            ///< all of what stands at 0 may be executed
   bool runs_flash = true;           ///< the same of the flash at its own place
-  std::uint32_t protected_ram = 0;  ///< bytes from the begin of RAM up to the last that may not be written
+  std::uint32_t protected_ram = 0;  ///< bytes from the start of RAM up to the last that may not be written
 };
 
 class Interpreter {
@@ -228,14 +228,14 @@ class Interpreter {
   Memories memories_;
   Outside& outside_;
   TagFlow& tags_;
-  std::vector<Operation> operations_;              ///< one per halfword of the image, and what lies behind its end
+  std::vector<Operation> operations_;              ///< one per halfword of the image, and what lies past its end
   std::uint32_t known_count_ = 0;                  ///< halfwords of the image
   std::vector<Operation> ram_operations_;          ///< the same of SRAM1, once it has stood at 0
   const Operation* known_ = nullptr;               ///< of the flash, at hand
   Operation* low_ = nullptr;                       ///< of what stands at 0
   std::uint32_t flash_count_ = 0, low_count_ = 0;  ///< how many of them may be executed
   std::uint32_t low_bytes_ = Memories::kFlashBytes;
-  std::uint32_t protected_ram_ = 0, ram_code_ = 0;  ///< bytes from the begin of RAM
+  std::uint32_t protected_ram_ = 0, ram_code_ = 0;  ///< bytes from the start of RAM
   std::uint32_t watched_ = 0;                       ///< the larger of them
   MemoryView view_;
   Operation elsewhere_, conditional_;          ///< an instruction outside of it; one inside an IT block

@@ -41,8 +41,8 @@ void Interpreter::take_apart_flash(std::uint32_t bytes) {
   see(view_);
 }
 
-/// After those behind it: a wait is charged with the instruction before, as only from there is it known that the two
-/// follow each other.
+/// After those that follow it: a wait is charged with the instruction before, as only from there is it known that the
+/// two follow each other.
 void Interpreter::take_apart_known(std::uint32_t n) {
   Operation& o = operations_[n];
   if (o.kind == Opcode::marked) return;

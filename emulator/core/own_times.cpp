@@ -47,7 +47,7 @@ void OwnTimes::add(const ExecutionEvent& event) {
   }
 }
 
-/// Only the first begin and the first end count: a jump may come back to the instruction at a mark.
+/// Only the first start and the first end count: a jump may come back to the instruction at a mark.
 void OwnTimes::pass_mark(unsigned number) {
   Frame& frame = frames_.back();
   const unsigned bracket = number / 2;

@@ -23,7 +23,7 @@ struct BracketEvent {
   Time own = 0;  ///< at its end: its own time
 };
 
-/// An exception's own time reaches from the begin of stacking to the end of unstacking, a stage's from mark to mark.
+/// An exception's own time reaches from the start of stacking to the end of unstacking, a stage's from mark to mark.
 /// Time of an exception that came in between belongs to that exception alone. Saving floating-point registers for what
 /// was preempted belongs to the exception that preempts, whichever stage comes to it first: to no stage.
 class OwnTimes {
@@ -32,7 +32,7 @@ class OwnTimes {
   void add(const ExecutionLog& log);
 
   [[nodiscard]] const std::map<unsigned, OwnTime>& exceptions() const { return exceptions_; }
-  /// By half the number of the mark at the begin.
+  /// By half the number of the begin mark.
   [[nodiscard]] const std::map<unsigned, OwnTime>& brackets() const { return brackets_; }
   /// In the order of time.
   [[nodiscard]] const std::vector<BracketEvent>& events() const { return events_; }

@@ -25,7 +25,7 @@ struct Pace {
   bool ram_at_zero = false;                ///< and not the flash
   std::uint32_t it_begin = 0, it_end = 0;  ///< the IT instruction seen last, and the end of its block
   std::uint64_t instructions = 0;
-  std::uint64_t waits = 0;  ///< of them, turns of jumps to themselves that were charged without being run
+  std::uint64_t waits = 0;  ///< of them, iterations of jumps to themselves that were charged without being run
   Time waited = 0;          ///< what those took
 
   void charge(unsigned cycles) {
@@ -43,7 +43,7 @@ struct Pace {
     return address - Memories::kFlashBase < Memories::kFlashBytes || (address < Memories::kFlashBytes && !ram_at_zero);
   }
 
-  /// Inside the block of an IT instruction, behind its first boundary.
+  /// Inside the block of an IT instruction, past its first boundary.
   [[nodiscard]] bool in_it_block(std::uint32_t address) const { return address > it_begin && address < it_end; }
 
   /// Charges an instruction. @tparam Cost, Flash  what `cost` and `flash` say

@@ -38,7 +38,7 @@ void Provenance::reset() {
   early_.clear();
 }
 
-/// Only the first begin and the first end count: a jump may come back to the instruction at a mark.
+/// Only the first start and the first end count: a jump may come back to the instruction at a mark.
 void Provenance::pass_mark(std::uint32_t number, Time at, Claim claim) {
   if (number == kHandOverMark) hand_over();
   if (number >= kFirstWorkMark) return;
@@ -62,7 +62,7 @@ void Provenance::hand_over() {
   handed_over_.push_back(level_.job);
 }
 
-/// A parser looked at the whole sample before its end was known by the silence behind it: now it is.
+/// A parser looked at the whole sample before its end was known by the silence after it: now it is.
 void Provenance::take_early(Level& level, Time at) {
   Samples& early = early_[level.stage];
   for (auto it = early.begin(); it != early.end();) {
@@ -72,7 +72,7 @@ void Provenance::take_early(Level& level, Time at) {
   }
 }
 
-/// It looked at a sample whose end came while it ran: nobody knows whether it saw that.
+/// It looked at a sample whose end came while it ran: whether it saw that is unknown.
 bool Provenance::may_have_taken(const Level& level, std::uint32_t source, Time at) {
   const Samples& early = early_[level.stage];
   const auto sample = early.find(source);

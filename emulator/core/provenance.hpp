@@ -26,8 +26,8 @@ struct Origin {
   Time readable = 0;         ///< when the last bit of the sample could be read
 };
 
-/// When the data of a state were taken, as the firmware says: its time [ns]; none where the state is not valid, nobody
-/// knows where it lies, or the firmware has begun to count anew.
+/// When the data of a state were taken, as the firmware says: its time [ns]; none where the state is not valid, it is
+/// unknown where it lies, or the firmware has begun to count anew.
 using Claim = std::optional<std::int64_t>;
 
 /// An update ended, and its state is made of this sample of a source.

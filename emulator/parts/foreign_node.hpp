@@ -1,4 +1,4 @@
-// A node on a CAN bus that no robot declares: sends so many frames of one identifier.
+// A node on a CAN bus that no robot declares: sends a number of frames of one identifier.
 #pragma once
 
 #include "emulator/chip/can_line.hpp"

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Null: marks, which are told as begins and ends, and loops.
+/// Null: marks, which are told as starts and ends, and loops.
 const char* name_of(ExecutionEvent::Kind kind) {
   switch (kind) {
     case ExecutionEvent::Kind::enter:

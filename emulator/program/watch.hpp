@@ -21,9 +21,9 @@ struct WatchOptions {
   bool as_document = false;          ///< writes one JSON document finemote.emulator/1 and nothing else
 };
 
-/// Writes one line per event, in order: time since power-on [ns], who, what; and behind the last byte of a line of text
-/// on a serial line that line. Then, each line beginning with `#`, how it
-/// ended, clocks, what the image did that the hardware would not forgive, and what the parts saw.
+/// Writes one line per event, in order: time since power-on [ns], who, what; and after the last byte of a line of text
+/// on a serial line that line. Then, each line beginning with `#`, how it ended, clocks, what the image did that the
+/// hardware would not forgive, and what the parts saw.
 /// @return  whether it ran to the end, and as the scenario expects; reports alone do not count
 /// @throws std::exception  image, board or scenario cannot be used
 bool watch(const WatchOptions& options, std::ostream& out);

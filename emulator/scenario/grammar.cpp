@@ -5,7 +5,7 @@
 namespace finemote::scenario {
 namespace {
 
-/// How far `name` is a member of the family: the text behind `stem` is 0 to `last` in plain digits.
+/// How far `name` is a member of the family: the text after `stem` is 0 to `last` in plain digits.
 bool is_of_family(std::string_view name, std::string_view stem, int last) {
   if (last < 0) return name == stem;
   if (name.substr(0, stem.size()) != stem) return false;

@@ -20,7 +20,7 @@ enum class Strictness : std::uint8_t {
   clock_ready,  ///< oscillators and the PLL take longer
   clock_rates,  ///< the watchdog's clock is off; those of board and parts are `run`'s to set
   cycle_count,  ///< CYCCNT stops in sleep whatever the debug clock does
-  wake_up,      ///< the instruction behind a WFI in flash is lost
+  wake_up,      ///< the instruction after a WFI in flash is lost
   first_bytes,  ///< a receiver that is turned on hears noise
   ram_pattern,  ///< RAM holds anything at power-on
 };

@@ -8,7 +8,7 @@ namespace {
 using namespace bench_ports;
 using Tests = std::vector<BenchTest>;
 
-/// `value`, and so many parts per million to both sides.
+/// `value`, and `ppm` parts per million to both sides.
 BenchTest around(const char* group, const char* name, std::int64_t value, std::int64_t ppm, Ground ground,
                  const char* source) {
   const std::int64_t margin = value / 1'000'000 * ppm + value % 1'000'000 * ppm / 1'000'000;
@@ -88,7 +88,7 @@ std::int64_t i2c_bit_ns(const Board& board) {
 /// What the drivers do not rely on: each is a freedom that the manual of a chip leaves.
 Tests tests_of_buses(const Board& board) {
   constexpr std::int64_t kPoll = 1'000, kFrame = 200'000;  // ns: half a bit at 328 kHz is 1.5 us; a frame at 1 Mbit/s
-  constexpr std::int64_t kSeen = 200;                      // ns: a turn of the loop that looks, and four clocks of APB1
+  constexpr std::int64_t kSeen = 200;  // ns: an iteration of the loop that looks, and four clocks of APB1
   return {
       exactly("serial", "serial.bytes_of_noise", 0, Ground::manual, "RM0090 30.3.3: an idle line brings nothing"),
       at_most("spi", "spi.busy_after_last_byte_ns", kPoll, Ground::manual, "RM0090 28.3.7, read as if at once"),

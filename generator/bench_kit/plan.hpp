@@ -20,8 +20,8 @@ struct BenchPlan {
   std::string robot;  ///< the kit measures its stages
   std::vector<BenchTest> tests;
   std::uint32_t free_line = 0;  ///< an interrupt line that no bucket of the robot runs in
-  std::size_t stages = 0;       ///< so many of the tests, the last ones: update and handle of each device in its order
-  std::size_t buses = 0;        ///< so many before those: the routines of each bus
+  std::size_t stages = 0;       ///< how many of the tests, the last ones: update and handle of each device in its order
+  std::size_t buses = 0;        ///< how many before those: the routines of each bus
   std::vector<BusLine> bus_lines = {};
 
   /// Of names and expectations: two kits with the same answer to the same. 16 hexadecimal digits.

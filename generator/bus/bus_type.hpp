@@ -117,7 +117,7 @@ struct BusType {
   bool is_polled = false;        ///< nothing but a look of a job carries it on: the next transfer begins with one
   bool is_mastered = false;      ///< nothing happens that no device begins
   bool is_both_ways = false;     ///< what is sent brings as many bytes
-  bool takes_then = false;       ///< the driver takes what is written behind an exchange with it, in one request
+  bool takes_then = false;       ///< the driver takes what is written after an exchange with it, in one request
   Longest longest = {};
   bool counts_traffic = false;  ///< its interrupts are known to belong to what devices ask for, and parts declare
 
@@ -125,8 +125,8 @@ struct BusType {
   /// null: a kind without frames. Throws Overflow.
   WireUnit (*unit)(const BusExchange& exchange) = nullptr;
 
-  /// Bits from the end of what came before to the end of the shortest frame that so many bytes are sent in; null: a
-  /// kind whose frames are not told apart.
+  /// Bits from the end of what came before to the end of the shortest frame that holds this many bytes; null: a kind
+  /// whose frames are not told apart.
   std::int64_t (*least_bits)(std::int64_t bytes) = nullptr;
 
   // Generated code

@@ -45,7 +45,7 @@ std::string document_text(const nlohmann::ordered_json& document);
 /// The findings in the formats for editors and CI, `input` being what the command works on; empty for text and json.
 std::string render_for_ci(Format format, const Diagnostics& findings, const std::string& input);
 
-/// Copies all findings of `from` behind those of `to`.
+/// Appends all findings of `from` to those of `to`.
 void add_findings(const Diagnostics& from, Diagnostics& to);
 
 /// Writes `text` as the whole of a file a user asked for, all or nothing; reports FM5002 with the system's reason.

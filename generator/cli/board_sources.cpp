@@ -33,7 +33,7 @@ std::vector<const Board*> real_boards(Library& library, Sources& sources, Diagno
   return boards;
 }
 
-/// FM3103 for each, at the begin of the board's file.
+/// FM3103 for each, at the start of the board file.
 void report_mistakes(const Board& board, const std::vector<std::string>& mistakes, const Sources& sources,
                      Diagnostics& diagnostics) {
   Position at;

@@ -19,7 +19,7 @@ struct OptionWords {
   std::vector<std::string> choices;  ///< the possible values, where there are few; else empty
 };
 
-/// A command (or the program itself): what may be said behind it.
+/// A command (or the program itself): what may follow it on the command line.
 struct CommandWords {
   std::string name;
   std::vector<std::string> operands;
@@ -35,7 +35,7 @@ std::vector<std::string> take_arguments(const std::vector<std::string>& words,
                                         std::vector<std::pair<std::string, std::string>>& arguments);
 
 /// The words with the command (`board show`: both) before all others: an option before the command is as good as one
-/// behind it. Unchanged where no command is found.
+/// after it. Unchanged where no command is found.
 std::vector<std::string> command_first(const CLI::App& app, std::vector<std::string> words);
 
 /// The command the last parse chose, `board show` for one of two words; empty when there is none.

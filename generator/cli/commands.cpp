@@ -19,7 +19,7 @@ constexpr auto kRequired = Option::Need::required;
 constexpr auto kOptional = Option::Need::optional;
 constexpr const char* kBoards = "board show";  ///< lists them
 
-/// Pieces of the table one behind the other.
+/// Concatenates pieces of the table.
 OptionList join(std::initializer_list<OptionList> pieces) {
   OptionList all;
   for (const OptionList& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());

@@ -124,7 +124,7 @@ std::string with_source_of(std::string text, const std::string& other) {
   return text.replace(line.size(), name_of(text).size(), name_of(other));
 }
 
-/// Behind the changes of two robots.
+/// After the changes of two robots.
 constexpr const char* kNoSizes = "size of the image: not compared; --sizes compiles both\n";
 
 std::string text_diff(const Side& a, const Side& b) {

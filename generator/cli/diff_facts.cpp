@@ -55,7 +55,7 @@ std::string reads_text(const Robot& robot, const Device& device) {
   return text;
 }
 
-/// The device it runs behind: a device that comes or goes changes that of one other, whatever follows.
+/// The device it runs after: a device that comes or goes changes that of one other, whatever follows.
 std::string order_text(const PlannedRobot& planned, DeviceId index) {
   const std::size_t rank = planned.forest.rank[index].value();
   if (rank == 0) return "first";

@@ -15,8 +15,8 @@ namespace {
 
 using Sayings = std::multimap<std::string, std::string>;  ///< of findings, to what they say
 
-/// Whether a device can tell its children of a role apart by their order. A link sends them in it, and nobody knows
-/// what a user's class does; shipped ones treat children of any interface alike.
+/// Whether a device can tell its children of a role apart by their order. A link sends them in it, and what a user's
+/// class does is unknown; shipped ones treat children of any interface alike.
 bool has_order(const DeviceType& type, const RoleSpec& role) {
   return role.interface != "any" || !type.builtin || role.name == type.link_role;
 }

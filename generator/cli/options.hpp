@@ -76,9 +76,9 @@ struct Options {
   bool suggest_order = false;
   std::uint64_t seed = 1;       ///< simulate --seed, run --seed
   std::string audit;            ///< --audit: file for the raw record of `run`
-  std::uint64_t phases = 0;     ///< --phases: so many runs with random phases and clock errors; 0: one without
+  std::uint64_t phases = 0;     ///< --phases: the number of runs with random phases and clock errors; 0: one without
   bool monitor = false;         ///< --monitor: the firmware holds itself to its bounds
-  bool trace = false;           ///< --trace: the firmware records every begin and end of a stage
+  bool trace = false;           ///< --trace: the firmware records every start and end of a stage
   bool require_judged = false;  ///< --require-judged: every bound has to be held against a sample
   bool sizes = false;           ///< diff --sizes: compile both robots
   bool build_only = false;      ///< --build-only: stop after the image

@@ -35,9 +35,9 @@ struct Acquisition {
   std::optional<Duration> interval;                 ///< streamed: from one frame to the next, by the part's own clock
   std::string interval_param;                       ///< the param whose value it is; empty: `interval` counts
   std::int64_t tolerance_ppm = kUsualTolerancePpm;  ///< how far that clock may be off, both ways
-  std::optional<std::int64_t> periods;      ///< polled: own periods from the begin of a measurement to its update()
-  std::optional<std::int64_t> begun_every;  ///< polled: own periods from one begin to the next; none: `periods`
-  std::int64_t published_every = 1;         ///< polled: a fresh value at least every so many measurements
+  std::optional<std::int64_t> periods;      ///< polled: own periods from the start of a measurement to its update()
+  std::optional<std::int64_t> begun_every;  ///< polled: own periods from one start to the next; none: `periods`
+  std::int64_t published_every = 1;         ///< polled: a fresh value at least once in this many measurements
   std::optional<Conversion> conversion;     ///< polled
   std::int64_t conversions = 1;             ///< polled: one after the other, in one measurement
   Duration bring_up = seconds(1);           ///< from the first release to the first sample, at most

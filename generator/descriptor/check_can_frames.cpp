@@ -115,7 +115,7 @@ class SharedCheck {
 };
 
 /// The driver of a CAN bus sees a frame only if its identifier is received, and what it does not see keeps the bus busy
-/// behind its back: then nobody knows since when another one waited.
+/// behind its back: then it is unknown since when another one waited.
 void check_streams(const DeviceType& type, const Contradictions& found) {
   const bool is_on_can =
       std::any_of(type.buses.begin(), type.buses.end(), [](BusKind kind) { return bus_type(kind).is_arbitrated; });

@@ -27,8 +27,8 @@ struct DriverSource {
   Duration isr_wcet;
   Duration isr_per_slot;                    ///< besides, for everything the bus serves
   Duration isr_per_frame;                   ///< besides, for every frame that one request hands over
-  std::int64_t isr_waits_bits = 0;          ///< it may wait for so many bits on the wire,
-  std::optional<Duration> isr_beside_wait;  ///< and takes so much longer than the wait; none: all of its work
+  std::int64_t isr_waits_bits = 0;          ///< bits on the wire that it may wait for,
+  std::optional<Duration> isr_beside_wait;  ///< and how much longer than the wait it takes; none: all of its work
   std::int64_t min_frame_bits = 1;          ///< bits on the wire between two of its interrupts, at least
 };
 

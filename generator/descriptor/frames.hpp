@@ -32,7 +32,7 @@ struct Frame {
   std::int64_t write_bytes = 0, read_bytes = 0;  ///< without address bytes
   std::string use;                               ///< over the bus of this use; empty: the device's own
   int unit = 0;                          ///< frames with the same number are one unit on the bus; 0: it stands alone
-  std::optional<Duration> min_interval;  ///< autonomous: at least so far apart, by the part's own clock
+  std::optional<Duration> min_interval;  ///< autonomous: the least time between two, by the part's own clock
   std::vector<SharedFrame> shared;       ///< can: identifiers of the frame several devices fill
   bool has_sample = true;                ///< autonomous: measurements may come with it
   bool in_dma_memory = false;            ///< its bytes lie where the DMA reaches them (FINEMOTE_DMA)

@@ -36,7 +36,7 @@ class Scanner {
     const Json decoded = Json::parse(raw, nullptr, false);
     return decoded.is_string() ? decoded.get<std::string>() : std::string();
   }
-  /// Goes behind the value that begins here, without recursion.
+  /// Goes past the value that begins here, without recursion.
   void skip_value() {
     std::size_t depth = 0;
     do {

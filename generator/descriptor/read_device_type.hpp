@@ -16,7 +16,7 @@ std::uint32_t parse_hex(const std::string& text);
 /// The addresses that `address` of a bus allows; empty: any.
 std::vector<std::uint32_t> read_addresses(const Json& address);
 
-/// How generated code includes a header: what stands behind `runtime/include/`, else the file's name.
+/// How generated code includes a header: what stands after `runtime/include/`, else the file's name.
 std::string include_name(const std::string& header);
 
 }  // namespace finemote::gen

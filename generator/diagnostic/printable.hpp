@@ -12,7 +12,7 @@ namespace finemote::gen {
 std::string printable(std::string_view text);
 
 /// A text of several lines, each printable. All but the first begin with `  | `: a log reader that takes commands at
-/// the begin of a line, as GitHub does, finds none.
+/// the start of a line, as GitHub does, finds none.
 std::string printable_lines(std::string_view text);
 
 }  // namespace finemote::gen

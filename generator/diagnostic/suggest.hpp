@@ -17,7 +17,7 @@ std::vector<std::string> nearest_names(std::string_view word, const std::vector<
 /// candidates.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
-/// `did you mean 'a' or 'b'?` as a list to put behind a message; empty when nothing is near.
+/// `did you mean 'a' or 'b'?` as a list to append to a message; empty when nothing is near.
 std::vector<std::string> near_hint(std::string_view word, const std::vector<std::string>& candidates);
 
 /// Adds the text of did_you_mean() to a finding, unless it is empty.

@@ -10,7 +10,7 @@ constexpr std::size_t kWidest = 118, kIndent = 4, kCommentColumn = 62;
 
 std::size_t width_of_line(const std::string& text) { return text.size() - (text.rfind('\n') + 1); }
 
-/// One piece between `fit` and `end_fit`, behind what is written of its line already.
+/// One piece between `fit` and `end_fit`, after what is written of its line already.
 void add_fitted(std::string& written, const std::string& piece, std::size_t rest_of_line) {
   const auto breaks = static_cast<std::size_t>(std::count(piece.begin(), piece.end(), kBreak));
   const bool fits =

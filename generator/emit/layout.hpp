@@ -16,7 +16,7 @@ inline constexpr LayoutMark kLayoutMarks[] = {
     {"fit", "\x01"},      ///< begins what stays on one line where that fits
     {"break", "\x02"},    ///< a new line, where it does not
     {"end_fit", "\x03"},  ///< ends it
-    {"column", "\x04"},   ///< blanks up to the column of comments behind statements
+    {"column", "\x04"},   ///< blanks up to the column of comments after statements
     {"newline", "\n"},    ///< a new line in a partial that stands inside of a line
     {"brace", "{"},       ///< a brace of C++ before a tag
 };

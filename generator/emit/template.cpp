@@ -15,7 +15,7 @@ constexpr std::string_view kOpen = "{{", kClose = "}}";
 
 /// One tag with what stands around it.
 struct Tag {
-  std::size_t begin = 0, end = 0;  ///< in the text; end: behind it
+  std::size_t begin = 0, end = 0;  ///< in the text; end: past it
   char kind = ' ';                 ///< `#`, `^`, `/`, `>`, `!`; a blank for a value
   std::string key;
 };

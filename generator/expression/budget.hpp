@@ -37,7 +37,7 @@ class Budget {
   }
 
  private:
-  /// Seldom enough to cost nothing, and often enough for what so many steps can take up.
+  /// Seldom enough to cost nothing, and often enough for what the steps in between can take up.
   void look_at_memory(std::size_t steps) {
     constexpr std::size_t interval = 1 << 18;
     unlooked_ += steps;

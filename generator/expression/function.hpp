@@ -23,7 +23,7 @@ struct Signature {
 
   Kind kind = Kind::named;
   std::array<std::string_view, kMostNames> names = {};  ///< of the parameters, which keywords may name as well
-  std::size_t least = 0;                                ///< the first so many parameters must be given
+  std::size_t least = 0;                                ///< how many parameters, from the first on, must be given
   std::size_t most = 0;
   std::string_view shown = {};  ///< the name that messages use; empty for the function's own
 
@@ -36,7 +36,7 @@ struct Signature {
     for (const std::string_view parameter : parameters) names[i++] = parameter;
   }
 
-  /// So many arguments without names, and no keywords.
+  /// A number of arguments without names, and no keywords.
   static constexpr Signature positional(std::size_t fewest, std::size_t most_of_all = kAnyNumber) {
     Signature signature;
     signature.kind = Kind::positional;

@@ -24,7 +24,7 @@ ExpressionPtr parse_primary(TokenCursor& c);
 ExpressionPtr parse_name(TokenCursor& c);
 /// What begins with a bracket: a tuple, list, set, dict or comprehension; null when none does.
 ExpressionPtr parse_display(TokenCursor& c);
-/// `for a in b if c ...` behind its element.
+/// `for a in b if c ...` after its element.
 ExpressionPtr parse_comprehension(TokenCursor& c, Expression::Kind kind, ExpressionPtr element);
 
 inline ExpressionPtr make_node(Expression::Kind kind) {

@@ -24,7 +24,7 @@ std::string pad_with_zeros(const std::string& sign, const std::string& digits, s
 /// The character of a code point. Fails where there is none, and on surrogates, which no text can hold.
 std::string character_of(const Integer& code);
 
-/// At most the first so many characters.
+/// At most the first `most` characters.
 std::string shortened(std::string text, const std::optional<std::size_t>& most);
 
 /// ASCII letters alone.

@@ -113,7 +113,7 @@ Value expandtabs(Runtime& runtime, const Value& self, const Parameters& p) {
 struct Window {
   std::string_view text;
   std::size_t first_character = 0;
-  bool is_valid = true;  ///< false when it begins behind the end
+  bool is_valid = true;  ///< false when it starts after the end
 };
 
 Window window(const Parameters& p, std::size_t first, const std::string& text) {

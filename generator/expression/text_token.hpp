@@ -16,7 +16,7 @@ struct TextToken {
   std::size_t last_line = 0;  ///< in which it ends
 };
 
-/// Reads the text at the begin of `rest`. Fails with the words of Python's tokenizer.
+/// Reads the string literal at the start of `rest`. Fails with the words of Python's tokenizer.
 /// @param prefix  as text_prefix() gives it
 /// @param line    in which it begins
 TextToken read_text_token(std::string_view rest, std::size_t prefix, std::size_t line);

@@ -16,7 +16,7 @@ class TokenCursor {
  public:
   explicit TokenCursor(std::string_view source) : tokens_(tokenize_expression(source)) {}
 
-  /// The next token, or one after it; the end token behind all.
+  /// The next token, or one after it; past the last one, the end token.
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
   const Token& take() { return tokens_[at_++]; }
 

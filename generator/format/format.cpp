@@ -58,7 +58,7 @@ class Layout {
   }
 
  private:
-  /// The element at `first`, from where the line stands; returns the index behind it.
+  /// The element at `first`, from where the line stands; returns the index after it.
   std::size_t element(std::size_t first, std::size_t depth) {
     const std::size_t last = tokens_[first].kind == Kind::empty ? first : end_of(tokens_, first);
     if (is_empty(first, last)) {
@@ -76,7 +76,7 @@ class Layout {
     return last + 1;
   }
 
-  /// What is between the tags, a line each; comments that stood behind something stay behind it.
+  /// What is between the tags, a line each; comments that stood after something stay after it.
   void children(std::size_t first, std::size_t last, std::size_t depth) {
     std::size_t breaks = 0;
     bool is_first = true;

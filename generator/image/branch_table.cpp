@@ -37,7 +37,7 @@ bool is_comparison(const Instruction& i) {
   return i.id == ARM_INS_CMP || i.id == ARM_INS_CMN || i.id == ARM_INS_TST || i.id == ARM_INS_TEQ;
 }
 
-/// How many values an unsigned index can have behind the branch, of the number it was compared with.
+/// How many values an unsigned index can have after the branch, of the number it was compared with.
 std::optional<std::uint64_t> values_behind(const OnlyWay::Step& branch, std::uint32_t compared) {
   if (branch.instruction->id != ARM_INS_B) return std::nullopt;
   const arm_cc condition = branch.instruction->condition;

@@ -118,7 +118,7 @@ class Search {
     return false;
   }
 
-  /// The numbers and pointers of a constant: between and behind them other members may lie, which are none.
+  /// The numbers and pointers of a constant: between and after them other members may lie, which are none.
   void keep_parts(Dwarf_Die type, std::uint32_t at, int depth) {
     if (depth > kDeepest) return;
     switch (dwarf_tag(&type)) {

@@ -125,13 +125,13 @@ class Trace {
     for (const std::uint32_t behind : behind_parts_) go(i.address, {behind, true});
   }
 
-  /// What is behind is reached: no call ends here for good.
+  /// What follows is reached: no call ends here for good.
   [[nodiscard]] bool comes_back(const Instruction& i) const {
     const auto call = calls_.find(i.address);
     return call == calls_.end() || call->second.is_tail || i.is_conditional() || returns_(call->second);
   }
 
-  /// Behind the last instruction of a function another begins that it is a part of: libgcc does that.
+  /// After the last instruction of a function another begins that it is a part of: libgcc does that.
   void fall_from(const Instruction& i) {
     if (body_.contains(i.end()))
       go(i.address, {i.end(), false});

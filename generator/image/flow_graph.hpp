@@ -20,8 +20,8 @@ struct FlowCall {
 };
 
 struct FlowEdge {
-  std::uint32_t to = 0;   ///< begin of a block
-  bool is_taken = false;  ///< by a branch; else the block behind, or what follows a call that returned
+  std::uint32_t to = 0;   ///< start of a block
+  bool is_taken = false;  ///< by a branch; otherwise the next block, or what follows a call that returned
 };
 
 /// Instructions that run one after the other: only the first is jumped to, only the last jumps or calls.
@@ -40,7 +40,7 @@ struct FlowProblem {
 
 struct FlowGraph {
   std::uint32_t entry = 0;
-  std::map<std::uint32_t, BasicBlock> blocks;  ///< by begin, those that are reached from the entry
+  std::map<std::uint32_t, BasicBlock> blocks;  ///< by their starts, those that are reached from the entry
   std::vector<FlowProblem> problems;
 
   /// Some path ends in a return or in a tail call that `returns`.
@@ -53,9 +53,9 @@ struct TraceLimits {
   std::vector<std::uint32_t> boundaries;  ///< addresses at which blocks end, too, in order; may lie anywhere
 };
 
-/// A call of a place in the same body is a jump there, from which a return may lead to behind the call: so do routines
-/// of libgcc, parts of which also return for the whole.
-/// @param returns  whether a call comes back; behind one that does not nothing is followed
+/// A call of a place in the same body is a jump there, from which a return may lead to the place after the call: so do
+/// routines of libgcc, parts of which also return for the whole.
+/// @param returns  whether a call comes back; after one that does not, nothing is followed
 FlowGraph trace(const Image& image, const FunctionBody& body, const std::function<bool(const FlowCall&)>& returns,
                 const TraceLimits& limits);
 

@@ -7,7 +7,7 @@
 namespace finemote::gen {
 namespace {
 
-/// Ways lead from a call of the second back to behind a call of the first, which no graph of a function has.
+/// Ways lead from a call of the second back to after a call of the first, which no graph of a function has.
 bool is_long_jump(const std::string& name) {
   return name == "setjmp" || name == "_setjmp" || name == "longjmp" || name == "_longjmp";
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t kDepthLimit = 1 << 16;
 
-/// Bytes that an instruction pushes (positive) or pops; none: nobody knows.
+/// Bytes that an instruction pushes (positive) or pops; none: unknown.
 using StackChange = std::optional<std::int64_t>;
 
 /// Constant of `add sp, #n`, `add sp, sp, #n` and the like; none when it is not a constant or another base.

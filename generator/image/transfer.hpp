@@ -1,4 +1,4 @@
-// Where control goes behind an instruction.
+// Where control goes after an instruction.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct Transfer {
   enum class Kind {
     next,      ///< to the next instruction only
     jump,      ///< to `target`
-    call,      ///< of `target`, and on behind it when that returns
+    call,      ///< of `target`, and on after it when that returns
     indirect,  ///< call through a register
     tail,      ///< jump through a register
     table,     ///< to an entry of a table

@@ -12,7 +12,7 @@ namespace finemote::gen::json {
 /// that returns false has reported, and the walk is over.
 class Scanner {
  public:
-  /// Starts behind a UTF-8 byte order mark. Both arguments outlive the scanner.
+  /// Starts after a UTF-8 byte order mark. Both arguments outlive the scanner.
   Scanner(const SourceFile& file, Diagnostics& diagnostics);
 
   /// The next byte; 0 at the end.

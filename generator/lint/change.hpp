@@ -14,7 +14,7 @@ struct Change {
   std::string reason;  ///< `it stands in <xacro:if>`
 };
 
-/// Puts an element before another one, with the comments directly above it and behind it on its line. Both have to be
+/// Puts an element before another one, with the comments directly above it and after it on its line. Both have to be
 /// written in the file that the user named, side by side in one element that no xacro element surrounds, and nothing of
 /// xacro may stand between them: a property, a condition or a macro could mean something else on the other side.
 Change move_before(const Position& element, const Position& target);

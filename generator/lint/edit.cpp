@@ -49,7 +49,7 @@ ElementExtent with_lines(std::string_view text, ElementExtent extent) {
   return is_alone ? ElementExtent{begin, end + 1} : extent;
 }
 
-/// Takes in comments behind the element on its line, when nothing else stands on it.
+/// Takes in comments after the element on its line, when nothing else stands on it.
 ElementExtent with_comments_behind(std::string_view text, ElementExtent extent) {
   constexpr std::string_view kOpen = "<!--";
   std::size_t end = extent.end;
@@ -77,7 +77,7 @@ ElementExtent with_comments(const SourceFile& file, ElementExtent extent) {
   extent = with_comments_behind(text, extent);
   const auto is_line_begin = [&](std::size_t at) { return at == 0 || text[at - 1] == '\n'; };
   while (is_line_begin(extent.begin) && extent.begin > 0) {
-    std::size_t end = extent.begin - 1;  // behind the line above, without its line break
+    std::size_t end = extent.begin - 1;  // past the line above, without its line break
     while (end > 0 && (is_blank(text[end - 1]) || text[end - 1] == '\r')) --end;
     if (end < kClose.size() || text.substr(end - kClose.size(), kClose.size()) != kClose) break;
     std::size_t begin = text.rfind(kOpen, end - kClose.size());

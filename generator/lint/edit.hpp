@@ -17,8 +17,8 @@ struct Edit {
   std::string text;
 };
 
-/// Bytes of an element, from `<` to behind its end tag; with the blanks before it on its line and the line break
-/// behind it where it stands on lines of its own.
+/// Bytes of an element, from `<` to past its end tag; with the blanks before it on its line and the line break after it
+/// where it stands on lines of its own.
 struct ElementExtent {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -28,7 +28,7 @@ struct ElementExtent {
 /// text at that place is no element.
 std::optional<ElementExtent> find_element(const Position& at);
 
-/// The extent with the comments that stand behind it on its line, and on lines of their own directly above it: what is
+/// The extent with the comments that stand after it on its line, and on lines of their own directly above it: what is
 /// said of the element.
 ElementExtent with_comments(const SourceFile& file, ElementExtent extent);
 

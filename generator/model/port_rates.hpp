@@ -9,7 +9,7 @@ namespace finemote::gen {
 /// in its range.
 const RateRule* rule_of(const Port& port, BusKind kind);
 
-/// Whether the port makes so few rates that they can be listed.
+/// Whether the port makes few enough rates to list them.
 bool has_few_rates(const Port& port, BusKind kind);
 
 /// The rate nearest to the one asked for that the port can make; `wanted` is above 0 [Hz or bit/s].

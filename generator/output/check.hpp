@@ -14,7 +14,7 @@ struct Finding {
   enum class State { missing, hand_edited, line_endings, stale, orphan, stale_timing };
   State state = State::stale;
   std::string file;             ///< below the folder; of `stale_timing` its path
-  std::string reason;           ///< a line, or the begin of one
+  std::string reason;           ///< a line, or the start of one
   bool follows_change = false;  ///< CheckResult::change goes on with it
 };
 

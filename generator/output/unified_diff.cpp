@@ -26,7 +26,7 @@ Lines lines_of(const std::string& text) {
   return lines;
 }
 
-/// Whether so many lines differ that to compare them takes long: its time grows with the square of their number.
+/// Whether too many lines differ to compare them in a short time, which grows with the square of their number.
 bool is_rewritten(const Lines& before, const Lines& after) {
   constexpr std::size_t kMost = 4'000;
   std::unordered_map<std::string_view, std::ptrdiff_t> left;

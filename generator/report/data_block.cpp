@@ -10,7 +10,7 @@ void add(Json& list, Numbers... numbers) {
   (list.push_back(numbers), ...);
 }
 
-/// Each begins so long behind the one before it: thousands of large numbers would be half of the page.
+/// Each with its distance from the one before it: thousands of large numbers would be half of the page.
 Json stages_of(const Timeline& timeline) {
   Json list = Json::array();
   Duration before;

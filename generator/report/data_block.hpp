@@ -8,7 +8,7 @@
 
 namespace finemote::gen::report {
 
-/// JSON to stand in an element `<script>`. Times are in nanoseconds; lists of slices are flat, with so many numbers for
+/// JSON to stand in an element `<script>`. Times are in nanoseconds; lists of slices are flat, with as many numbers for
 /// each as the reader in templates/report/timeline.js takes.
 std::string data_block(const timing::Model& model, const Timeline& timeline, const std::string& profile);
 

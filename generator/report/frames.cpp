@@ -42,7 +42,7 @@ class Lines {
 
 bool is_later(const Request& a, const Request& b) { return a.period != b.period ? a.period > b.period : a.at > b.at; }
 
-/// Puts the requests of one line one behind the other.
+/// Puts the requests of one line one after the other.
 void send(Line& line, std::vector<Timeline::Frame>& frames) {
   std::stable_sort(line.requests.begin(), line.requests.end(),
                    [](const Request& a, const Request& b) { return a.at < b.at; });

@@ -52,7 +52,7 @@ Plot plot_of(const Documents& documents, const Place& series) {
   return plot;
 }
 
-/// Names of devices, whose parts come behind the bodies they move.
+/// Names of devices, whose parts come after the bodies they move.
 std::set<std::string> device_names(const Documents& documents) {
   std::set<std::string> names;
   const Place devices = documents.of_timing()["model"]["devices"];

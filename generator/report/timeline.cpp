@@ -10,7 +10,7 @@ namespace {
 
 constexpr Duration kLongest = seconds(10);  // that is shown
 
-/// So long that about as many stages begin as can be shown, and at most `longest`.
+/// Long enough that about as many stages begin as can be shown, and at most `longest`.
 Duration shown_of(const timing::TaskSet& set, Duration longest) {
   double per_ns = 0;
   for (const timing::TaskBucket& bucket : set.buckets)

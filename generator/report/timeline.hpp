@@ -1,4 +1,4 @@
-// The begin of a simulated run to what a timeline of the processor and the buses shows.
+// The first part of a simulated run to what a timeline of the processor and the buses shows.
 #pragma once
 
 #include <optional>

@@ -76,7 +76,7 @@ class Audit {
     return static_cast<std::int64_t>(std::floor(static_cast<long double>(ps) / (1 + record_.clock_ppm * 1e-6L)));
   }
 
-  /// @param members  of the line's object behind its time, as JSON: there are tens of thousands of lines
+  /// @param members  of the line's object after its time, as JSON: there are tens of thousands of lines
   void add(std::int64_t ps, const std::string& members) {
     const std::int64_t at = true_ps(ps);
     lines_.push_back({at, fmt::format("{{\"t\":{},{}}}", at, members)});

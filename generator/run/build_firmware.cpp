@@ -70,7 +70,7 @@ bool wants_heap(const std::string& output) {
   return output.find("undefined reference to `_sbrk'") != std::string::npos;
 }
 
-/// Whole lines from the begin on, and how many were left out.
+/// The first whole lines, and how many were left out.
 std::string shortened(const std::string& output) {
   constexpr std::size_t kMostShown = 4000;
   if (output.size() <= kMostShown) return output;

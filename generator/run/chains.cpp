@@ -15,7 +15,7 @@ class TakenSamples {
   TakenSamples(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId device)
       : states_(states_of(robot, forest, record, device)) {}
 
-  /// At the begin of the update; none: it took none that is known.
+  /// When the update starts; none: it took none that is known.
   [[nodiscard]] std::optional<Duration> age(const StageRun& update) const {
     const auto is_before = [](const SampledState& state, Duration end) { return state.at() < end; };
     const auto found = std::lower_bound(states_.begin(), states_.end(), update.end, is_before);

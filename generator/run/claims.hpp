@@ -16,7 +16,7 @@ inline constexpr Duration kClaimSlack = microseconds(1);
 struct MeasuredClaim {
   DeviceId device;
   Measured lead;  ///< claimed origin less the time when the oldest sample in the state was taken; bound: kClaimSlack
-  Measured age;   ///< of data that are said to be valid, by their claim, at the begin of update()
+  Measured age;   ///< of data that are said to be valid, by their claim, when update() starts
 };
 
 inline constexpr std::array<Figure<MeasuredClaim>, 2> kClaimFigures{

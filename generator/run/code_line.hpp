@@ -8,7 +8,7 @@
 
 namespace finemote::gen {
 
-/// The first line at the address or right behind it that is not a mark's own; none: the image does not tell.
+/// The first line at the address or right after it that is not a mark's own; none: the image does not tell.
 std::optional<SourceLine> code_line(const SourceLines& lines, std::uint32_t address);
 
 }  // namespace finemote::gen

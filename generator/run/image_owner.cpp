@@ -26,7 +26,7 @@ std::optional<std::string> robot_of(const Image& image) {
   return std::string(bytes.substr(0, bytes.find('\0')));
 }
 
-/// How many stages the image runs, by the marks at their begins.
+/// How many stages the image runs, by their begin marks.
 std::size_t stages_in(const Image& image) {
   std::set<std::uint32_t> begins;
   for (const auto& [address, mark] : wcet::read_marks(image).brackets) {

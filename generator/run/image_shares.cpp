@@ -13,7 +13,7 @@ namespace {
 using Kind = ImageShare::Kind;
 using Owner = std::pair<Kind, std::string>;
 
-/// What is behind `prefix`; empty where it is another.
+/// What follows `prefix`; empty where it is another.
 std::string_view behind(std::string_view text, std::string_view prefix) {
   return text.substr(0, prefix.size()) == prefix ? text.substr(prefix.size()) : std::string_view();
 }

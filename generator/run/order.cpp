@@ -8,7 +8,7 @@
 namespace finemote::gen {
 namespace {
 
-/// Begin or end of a stage, as a job passes it.
+/// Start or end of a stage, as a job passes it.
 struct Edge {
   DeviceId device;
   bool is_handle = false;

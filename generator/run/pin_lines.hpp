@@ -23,7 +23,7 @@ struct PinLine {
 };
 
 /// Of all devices that let pins interrupt; empty, too, where the numbers are too large.
-/// @param window  for so long edges are counted
+/// @param window  how long edges are counted
 std::vector<PinLine> pin_lines(const Robot& robot, const timing::Model& model, Duration window);
 
 struct MeasuredPins {

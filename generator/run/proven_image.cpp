@@ -22,7 +22,7 @@ std::optional<ProvenImage> make_once(const Project& project, const Robot& robot,
   return ProvenImage{std::move(*path), std::move(*facts)};
 }
 
-/// A project of the user's own is not linked here: nobody knows what it reserves.
+/// A project of the user's own is not linked here: what it reserves is unknown.
 void tell_of_reserve(std::uint32_t needed, std::uint32_t reserved, std::uint32_t linked, Diagnostics& diagnostics) {
   diagnostics
       .remark(code::stack_too_small, {},

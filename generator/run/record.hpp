@@ -19,7 +19,7 @@ inline constexpr std::int64_t kPsPerNs = 1'000;
 constexpr Duration picoseconds_down(std::int64_t count) { return nanoseconds(floor_div(count, kPsPerNs)); }
 constexpr Duration picoseconds_up(std::int64_t count) { return nanoseconds(ceil_div(count, kPsPerNs)); }
 
-/// One begin or end of a stage.
+/// The start or the end of a stage.
 struct Event {
   Duration at;
   DeviceId device;
@@ -34,7 +34,7 @@ struct OwnTime {
   Duration longest;
 };
 
-/// The longest time that one run of an interrupt routine took by itself, from the begin of stacking to the end of
+/// The longest time that one run of an interrupt routine took by itself, from the start of stacking to the end of
 /// unstacking.
 struct RoutineTime {
   std::uint32_t exception = 0;
@@ -44,7 +44,7 @@ struct RoutineTime {
 
 /// What a bus did from the end of the bring-up on.
 struct BusTraffic {
-  Duration window;              ///< for so long
+  Duration window;              ///< how long it was looked at
   Duration sent, received;      ///< how long its lines were in use; a bus with one line: `sent`
   std::int64_t interrupts = 0;  ///< runs of its service routines
 };
@@ -64,9 +64,9 @@ struct PartRecord {
   std::int64_t from_ps = 0;            ///< when the quantity was sampled
   std::int64_t at_ps = 0;              ///< when its last bit could be read, or the output took its value
   std::uint32_t n = 0;                 ///< which sample of the channel, or which run of the handle, from 0
-  std::optional<std::uint32_t> stage;  ///< the handle whose command an output carries; none: nobody knows
+  std::optional<std::uint32_t> stage;  ///< the handle whose command an output carries; none: unknown
   double value = 0;                    ///< of an output, in its unit
-  bool is_repeated = false;  ///< the value was shown before: nobody knows whether this or an older command sent it
+  bool is_repeated = false;            ///< the value was shown before: this or an older command may have sent it
 
   [[nodiscard]] Duration from() const { return picoseconds_down(from_ps); }
   [[nodiscard]] Duration at() const { return picoseconds_down(at_ps); }
@@ -135,7 +135,7 @@ struct RunRecord {
   double clock_ppm = 0;                    ///< how much too fast the board's clock ran, which counts all times here
   std::vector<Event> events;               ///< in time order
   std::vector<OwnTime> own_times;          ///< of stages that ran; emulated board only
-  Duration traffic_window;                 ///< for so long buses and routines were looked at; emulated board only
+  Duration traffic_window;                 ///< how long buses and routines were looked at; emulated board only
   std::vector<RoutineTime> routine_times;  ///< of routines that ran; emulated board only
   std::vector<std::uint64_t> loop_passes;  ///< most of each loop that is watched; emulated board only
   std::vector<std::uint64_t> overruns;     ///< per bucket

@@ -36,7 +36,7 @@ Responses responses(const RunRecord& record, const std::vector<StageRun>& runs, 
   Responses all;
   for (const StageRun& run : runs) {
     if (record.scripted_resets > 0 && record.violated_from && run.end >= *record.violated_from)
-      break;  // nobody knows when it was released
+      break;  // it is unknown when it was released
     const Duration release = releases.take(run.begin);
     if (run.begin >= record.ready) all.seen.push_back(record.true_time(run.end - release));
   }

@@ -22,7 +22,7 @@ inline constexpr std::array<Figure<MeasuredResponse>, 3> kResponseFigures{{{"upd
                                                                            {"jitter", &MeasuredResponse::jitter}}};
 
 /// Of every device and every job after the bring-up, in the order of `forest`. Every release has its job, so one that
-/// is lost makes all jobs behind it late; where overruns were counted or the board began anew, a stage belongs to the
+/// is lost makes all jobs after it late; where overruns were counted or the board began anew, a stage belongs to the
 /// last release before it began.
 std::vector<MeasuredResponse> measure_responses(const Robot& robot, const Forest& forest, const Schedule& schedule,
                                                 const timing::Timing& timing, const RunRecord& record,

@@ -17,7 +17,7 @@ nlohmann::ordered_json value_list(const std::vector<ValueSeries>& series);
 /// Of commands that follow one another closely the oldest, so that no list is longer than `most`.
 nlohmann::ordered_json ages_of(const MeasuredChain& chain, std::size_t most);
 
-/// How many ages of each chain a document holds where there are so many.
+/// How many ages of each chain a document holds, of this many chains.
 std::size_t most_ages(std::size_t chains);
 
 }  // namespace finemote::gen

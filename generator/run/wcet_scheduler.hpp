@@ -21,8 +21,8 @@ std::optional<SchedulerTask> task_of(const TimedRobot& timed, unsigned exception
 /// Rounded up.
 std::int64_t ns_of(wcet::Cycles cycles, const TimedRobot& timed);
 
-/// Routines of interrupts that are none of the robot's: nobody knows how often they run, so nothing that they interrupt
-/// has a bound.
+/// Routines of interrupts that are none of the robot's: it is unknown how often they run, so nothing that they
+/// interrupt has a bound.
 std::vector<wcet::TimeGap> foreign_routines(const TimedRobot& timed);
 
 /// Stages without a bound although everything that was walked has one: their routine never comes to their end.

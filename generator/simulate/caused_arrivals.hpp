@@ -10,8 +10,8 @@
 namespace finemote::gen {
 
 /// Requests come at once when a stage asks, where it begins or ends, or a flush begins; transfers until what was asked
-/// for has ended, or until the next release where nobody knows when that is; of a line, so many come from one look to
-/// the next.
+/// for has ended, or until the next release where it is unknown when that is; of a line, a number of them from one look
+/// to the next.
 class CausedArrivals {
  public:
   /// Everything must outlive this.

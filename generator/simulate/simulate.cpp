@@ -178,7 +178,7 @@ class Simulator {
     JobState& job = jobs_[w];
     if (!job.piece_begun) {
       begin_piece(w, job);
-      if (next_event() <= now_ && job.left > Duration::zero()) return;  // what its begin has raised comes first
+      if (next_event() <= now_ && job.left > Duration::zero()) return;  // interrupts raised at its start come first
     }
     const Duration end = now_ + job.left;
     if (end <= event) {

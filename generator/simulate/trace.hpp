@@ -39,7 +39,7 @@ class TraceWriter : public SimulationObserver {
 
   struct Line {
     Duration at;
-    bool is_inside;     ///< of what begins at the same time, behind the slice around it
+    bool is_inside;     ///< of what begins at the same time, after the slice around it
     std::size_t order;  ///< of what is equal in both
     std::string text;
   };

@@ -19,7 +19,7 @@ std::int64_t turns_of(const Frame& frame, const BusType& type) {
                             : 1;
 }
 
-/// Some drivers take an exchange and what is written behind it in one request, none takes more.
+/// Some drivers take an exchange and what is written after it in one request, none takes more.
 std::int64_t turns_of(const FrameUnit& unit, const BusType& type) {
   std::int64_t turns = 0;
   bool has_room = false;  // in the last request, for what is only written

@@ -18,7 +18,7 @@
 namespace finemote::gen::timing {
 namespace {
 
-/// A state or command that crosses buckets is copied as so many words at most. Generated code knows the types, the
+/// How many words are copied at most of a state or command that crosses buckets. Generated code knows the types, the
 /// generator does not: more does not compile (finemote::kCrossingBytes).
 constexpr std::int64_t kCrossingWords = 32;
 /// The largest of the interfaces that are shipped (latch_test).

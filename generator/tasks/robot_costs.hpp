@@ -14,8 +14,8 @@ Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimin
 /// What the monitor costs, where it is built in: an estimate where the board does not say.
 Duration monitor_cost(std::optional<Duration> of_board);
 
-/// One look at every bus that the runtime looks after, at the begin of every job of the fastest bucket. Of buses that
-/// work: a bus that is being recovered takes longer (docs/timing.md, assumptions).
+/// One check of every bus that the runtime supervises, at the start of every job of the fastest bucket; for buses that
+/// work: one that is being recovered takes longer (docs/timing.md, assumptions).
 Duration supervision(const Robot& robot);
 
 /// Costs of the board; zero for a robot without one.

@@ -12,8 +12,8 @@ enum class ChainPart { acquire, decide, wire };
 /// A chain `from -> to`: the sample `from` reads, up to the root of the tree of `to`, and down to the output of `to`.
 struct ChainResult {
   Rank from, to;
-  std::optional<Duration> acquire;     ///< sample to begin of update(from)
-  std::optional<Duration> decide;      ///< begin of update(from) to end of handle(to)
+  std::optional<Duration> acquire;     ///< sample to start of update(from)
+  std::optional<Duration> decide;      ///< start of update(from) to end of handle(to)
   std::optional<Duration> wire;        ///< end of handle(to) to the last bit
   std::optional<Duration> age;         ///< of the sample at the end of handle(to): acquire + decide
   std::optional<Duration> end_to_end;  ///< age + wire
@@ -31,7 +31,7 @@ class ChainAnalysis {
   static constexpr std::size_t kMostPairs = 1024;
 
   /// @param ages        of every device: of its samples when its update() begins, which is the `acquire` of its chains
-  /// @param most_pairs  up to so many pairs of leaves of one tree `defaults()` looks at each; beyond, at groups of
+  /// @param most_pairs  up to this many pairs of leaves of one tree `defaults()` looks at each; beyond, at groups of
   /// them.
   ChainAnalysis(const Model& model, const Topology& topology, const ProfileAnalysis& profile, const WireAnalysis& wire,
                 Table<Rank, std::optional<Duration>> ages, Effort& effort, std::size_t most_pairs = kMostPairs);

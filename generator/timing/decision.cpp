@@ -94,7 +94,7 @@ Duration DecisionAnalysis::used(Duration use, Rank producer, Rank consumer) cons
   return ready > use ? release - period : release;
 }
 
-/// Begin of update(from) to end of handle(to), both in jobs released at `release`.
+/// Start of update(from) to end of handle(to), both in jobs released at `release`.
 Duration DecisionAnalysis::released_together(Rank from, Rank to, Duration release, Duration response) const {
   const std::size_t first = profile_.set.bucket_of[from], last = profile_.set.bucket_of[to];
   if (first == last) return windows_.in_one_job(from, to, release);

@@ -1,4 +1,4 @@
-// Decision latency of one chain: from the begin of update() at its source to the end of handle() at its terminal.
+// Decision latency of one chain: from the start of update() at its source to the end of handle() at its terminal.
 #pragma once
 
 #include "generator/timing/pair_window.hpp"

@@ -27,7 +27,7 @@ class Effort {
   /// @param most_releases  of one bucket, and of the root of one path
   Effort(std::int64_t steps, std::int64_t most_releases) : left_(steps), most_releases_(most_releases) {}
 
-  /// Whether there were so many steps left. Once there were not, there are none at all.
+  /// Whether there were that many steps left. Once there were not, there are none at all.
   bool spend(std::int64_t steps) {  // its answer may be left aside where is_spent() is asked later
     left_ = steps > left_ ? -1 : left_ - steps;
     return left_ >= 0;

@@ -6,8 +6,8 @@
 namespace finemote::gen::timing {
 namespace {
 
-/// What a slot of the firmware holds, CanSlot: 31 bits of nanoseconds, of which the largest number says that nobody
-/// knows.
+/// What a slot of the firmware holds, CanSlot: 31 bits of nanoseconds, of which the largest number says that it is
+/// unknown.
 constexpr Duration kMostHeld = nanoseconds(INT32_MAX - 1);
 
 /// Every stage ends with the period of its job.

@@ -47,7 +47,7 @@ class HandOverStore {
 
   /// Counts the steps of a staircase as long as it lives. Small ones of the same content become one.
   std::shared_ptr<const Staircase> keep(Staircase stairs);
-  /// Whether so many steps more may live beside those in use; forgets what is not in use when it has to.
+  /// Whether this many more steps may live beside those in use; forgets what is not in use when it has to.
   bool make_room(std::int64_t steps);
 
   /// The groups of a tree that was walked to its end, in the order of that walk; null when not known.

@@ -126,7 +126,7 @@ class JobWindows {
     }
   }
 
-  /// @param ended  all of them, so long after the release of the job that asked
+  /// @param ended  by when all of them have, after the release of the job that asked
   void narrow_transfer(Duration ended, Budget& budget) const {
     if (is_lower_priority(budget)) {
       budget.most = budget.count;  // of the job before the window: it asks for no more while higher-priority jobs wait
@@ -146,7 +146,7 @@ class JobWindows {
     budgets.erase(first + 1, budgets.end());
   }
 
-  /// At the begin of a window at most one lower-priority stage is in a masked section, and has asked for one transfer:
+  /// When a window begins, at most one lower-priority stage is in a masked section, and has asked for one transfer:
   /// none where the job runs already. Or a lower-priority job has put frames into their slots and not asked yet: the
   /// next request takes them along, for which this one stands.
   void keep_one_masked_request(Begin begin, std::vector<Budget>& budgets, Gathered& own) const {

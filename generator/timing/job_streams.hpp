@@ -6,7 +6,7 @@
 namespace finemote::gen::timing {
 
 /// The task set of profile `target`, whose streams know which job causes what: `of_jobs` and `ended` are filled, and
-/// budgets whose transfers end within their period do without what is counted more else.
+/// budgets whose transfers end within their period go without the further jobs that are counted otherwise.
 ///
 /// A window of a job begins when nothing of higher priority waits: before its release, or in the job itself. From then
 /// on until the job has come to its place, only the job, higher-priority jobs released meanwhile, and interrupts run;

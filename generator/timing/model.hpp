@@ -17,13 +17,13 @@ using BusPlace = Index<struct BusPlaceSpace>;
 
 /// What lets an interrupt of a budget come.
 enum class InterruptCause {
-  clock,     ///< nothing that our jobs do: a part that sends by itself, or nobody knows
+  clock,     ///< nothing that our jobs do: a part that sends by itself, or something unknown
   request,   ///< a stage or flush that asks for a transfer, at once
   transfer,  ///< the transfer asked for: after the request, and before the end of the transfer
-  look,      ///< a look at a line by update() of the device: it allows so many until the next look
+  look,      ///< a look at a line by update() of the device: it allows a number of them until the next look
 };
 
-/// What of a job asks for a transfer: a stage of the device, or the flush behind all of them.
+/// Which part of a job asks for a transfer: a stage of the device, or the flush after all stages.
 enum class AskedIn { handle, update, flush };
 
 /// What an execution time rests on: nothing that the model says, a type's default, what the user declares, the longest
@@ -61,7 +61,7 @@ struct InterruptSource {
   std::optional<DevicePin> pin = {};  ///< whose edges cause it
 };
 
-/// What a message can offer where a bus is too slow; empty where nobody knows.
+/// What a message can offer where a bus is too slow; empty where that is unknown.
 struct BusAdvice {
   struct Rate {
     std::string text;  ///< `clock="400kHz"`
@@ -87,7 +87,7 @@ struct Bus {
   BusAdvice advice;
 };
 
-/// Why nobody knows how old the data of a device are, where its part sends it some.
+/// Why it is unknown how old the data of a device are, where its part sends it some.
 enum class UnknownAge {
   none,              ///< it is known, or there are none
   no_acquisition,    ///< nothing says so
@@ -128,8 +128,8 @@ struct Transfer {
 struct Acquisition {
   Duration fixed;                ///< filter and transport delay
   Duration interval;             ///< an autonomous part's largest distance between samples
-  std::int64_t periods = 0;      ///< own periods from the begin of a measurement to the update that publishes it
-  std::int64_t begun_every = 1;  ///< own periods from the begin of a measurement to that of the next
+  std::int64_t periods = 0;      ///< own periods from the start of a measurement to the update that publishes it
+  std::int64_t begun_every = 1;  ///< own periods from the start of a measurement to that of the next
   std::int64_t every = 1;        ///< one in this many measurements is published at least
   Duration conversion;           ///< longest conversion
   std::int64_t conversions = 1;  ///< one after the other, in one measurement
@@ -175,9 +175,9 @@ struct Costs {
   Duration stage;                  ///< dispatch of one update or handle
   Duration masked;                 ///< longest time with interrupts masked
   bool keeps_one_release = false;  ///< the timer: of releases that wait for their interrupt, all but one are lost
-  /// Where all periods are longer than the timer can count: it interrupts in between, too, so far apart. 0: never.
+  /// Where all periods are longer than the timer can count: it interrupts in between, too, at this distance. 0: never.
   Duration longest_release = {};
-  Duration event_entry;  ///< that the firmware takes from an event of a bus to the begin of its routine, to date it
+  Duration event_entry;  ///< assumed from an event of a bus to the start of its routine, to date the event
   Duration event_pause;  ///< between two routines that count as one row: an event is no older than the row
   WcetSource source = WcetSource::unknown;  ///< of the release, of what jobs take beside their stages, and of masked
 };
@@ -204,7 +204,7 @@ struct Model {
   // profile `target`
   Costs costs;
   std::vector<Flush> flushes;
-  /// All times of a model are by the board's clock, which may be off by so much, both ways; bounds are true time.
+  /// All times of a model are by the board's clock, which may be off by this much, both ways; bounds are true time.
   std::int64_t clock_ppm = 0;
   bool has_target = false;  ///< some field beyond the plain case format was given
 };

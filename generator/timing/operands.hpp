@@ -17,7 +17,7 @@ std::vector<Rank> actuators_of(const Model& model, const Topology& topology, Ran
 std::vector<Requirement> reach_actuators(std::vector<Requirement> requirements, const Model& model,
                                          const Topology& topology);
 
-/// Each text `a -> b`, blanks allowed: device names, or `parent.role` for all children in that role; behind the arrow a
+/// Each text `a -> b`, blanks allowed: device names, or `parent.role` for all children in that role; after the arrow a
 /// role stands for the actuators of its children. Reports FM4018 for ends that do not exist.
 std::vector<ChainRequest> parse_chains(const Model& model, const std::vector<std::string>& texts,
                                        Diagnostics& diagnostics);

@@ -20,7 +20,7 @@ PairWindow::PairWindow(const ProfileAnalysis& profile, Effort& effort)
   }
 }
 
-/// Of a higher-priority bucket, behind the release of `of` and before that release is `length` old. Where the release
+/// Of a higher-priority bucket, after the release of `of` and before that release is `length` old. Where the release
 /// may be any, as many as fit, wherever it is.
 std::int64_t PairWindow::releases_inside(std::size_t bucket, std::size_t of, Duration release, Duration length) const {
   const Duration period = profile_.set.buckets[bucket].period;
@@ -73,7 +73,7 @@ Duration PairWindow::pending_at(std::size_t bucket, std::size_t of, Duration rel
 
 /// When update(from) begins nothing is pending of higher priority than its job, and no masked section of others goes
 /// on. Until handle(to) has ended there run: the rest of that job; what is pending of buckets between the two; the job
-/// of `to`; higher-priority jobs that are released meanwhile, behind the common release; and interrupts, as in any
+/// of `to`; higher-priority jobs that are released meanwhile, after the common release; and interrupts, as in any
 /// window, because what is left of other jobs may have caused some.
 Duration PairWindow::in_two_jobs(Rank from, Rank to, Duration release) const {
   const TaskSet& set = profile_.set;

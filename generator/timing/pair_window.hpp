@@ -1,4 +1,4 @@
-// From the begin of update() of one device to the end of handle() of another, in jobs that are released together.
+// From the start of update() of one device to the end of handle() of another, in jobs that are released together.
 #pragma once
 
 #include "generator/timing/profile.hpp"

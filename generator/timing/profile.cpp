@@ -53,11 +53,12 @@ void stretch(const Model& model, ProfileResult& result) {
 /// Steps for the search of when transfers have ended.
 constexpr std::int64_t kTransferSteps = std::int64_t{1} << 22;
 
-/// How often what jobs cause is counted anew with the response times that follow from it. Further rounds gain little.
+/// How often what jobs cause is counted anew with the response times that follow from it. Further iterations gain
+/// little.
 constexpr int kRounds = 2;
 
-/// Response times; those of profile target after its streams know what jobs cause. Each round begins with the bounds of
-/// the one before, so that nothing rests on itself.
+/// Response times; those of profile target after its streams know what jobs cause. Each iteration begins with the
+/// bounds of the one before, so that nothing rests on itself.
 Responses refined_responses(const Model& model, Profile profile, TaskSet& set, Effort& effort) {
   Responses responses = bound_responses(set, effort);
   if (profile != Profile::target || set.bus_streams == 0) return responses;
@@ -65,7 +66,7 @@ Responses refined_responses(const Model& model, Profile profile, TaskSet& set, E
     Effort transfers(kTransferSteps, effort.most_releases());
     separate_jobs(model, responses, set, transfers);
     Responses next = bound_responses(set, effort);
-    if (effort.is_spent()) {  // the bounds of the round before hold as well, and nobody is to search on
+    if (effort.is_spent()) {  // the bounds of the iteration before hold as well, and nobody is to search on
       std::fill(responses.closed_form.begin(), responses.closed_form.end(), true);
       break;
     }

@@ -1,4 +1,4 @@
-// Interrupts that the stages of one job raise: a window that ends in the job holds none of the stages behind its end.
+// Interrupts that the stages of one job raise: a window that ends in the job holds none of the stages after its end.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ class Raised {
 
   explicit Raised(const Kind& kind) : kind_(kind) {}
 
-  /// A stage raises so many. Places must not fall. Throws Overflow.
+  /// A stage raises `count` of them. Places must not fall. Throws Overflow.
   void add(std::size_t place, std::int64_t count) { stages_.push_back({place, gen::add(sum_up_to(place), count)}); }
 
   /// Those that can come while these stages run.

@@ -8,7 +8,7 @@
 namespace finemote::gen::timing {
 namespace {
 
-/// Beyond so many instants a bound for any instant has to do.
+/// Beyond this many instants a bound for any instant has to do.
 constexpr std::int64_t kMostInstants = 2048;
 
 }  // namespace

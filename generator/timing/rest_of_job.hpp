@@ -20,8 +20,8 @@ class RestOfJob {
   /// Nothing of higher priority is pending where the place is passed: only what arrives later counts, and the job's own
   /// work.
   /// @param bucket  whose jobs meet their deadlines
-  /// @param work    of the job behind the place, masked sections included
-  /// @param stage   the first one behind the place (raised.hpp)
+  /// @param work    of the job after the place, masked sections included
+  /// @param stage   the first one after the place (raised.hpp)
   /// @param latest  when the place is passed at the latest, after the release
   /// @param of      the same of the job released then; never larger
   [[nodiscard]] Duration from(std::size_t bucket, Duration work, std::size_t stage, Duration latest,

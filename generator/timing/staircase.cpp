@@ -11,7 +11,7 @@ using Step = Staircase::Step;
 
 constexpr Duration kLongAgo = Duration::min();
 
-/// Room for as many steps as there can be, behind one that is none.
+/// Room for as many steps as there can be, after one that is none.
 std::vector<Step> room_for(std::int64_t steps) {
   std::vector<Step> room(static_cast<std::size_t>(steps) + 2);
   room.front() = {0, kLongAgo};

@@ -25,7 +25,7 @@ struct Staircase {
   std::vector<Step> steps;
 };
 
-/// How many steps of `above` there are in `length`, a multiple of its own; at most so many has a step further.
+/// How many steps of `above` there are in `length`, a multiple of its own; a step further has at most as many.
 std::int64_t steps_in(const Staircase& above, Duration length);
 
 /// From the decisions a device sees to those a child of it sees.

@@ -9,9 +9,9 @@
 namespace finemote::gen::timing {
 namespace {
 
-/// An event is no older than the row of routines of which the last serves it, each begun so soon behind the one before
-/// that it may have waited. So long is a row at most; none where it may never end. Routines of I2C and SPI, which are
-/// less urgent, count too: the model does not tell them apart.
+/// An event is no older than the row of routines of which the last serves it, each begun so soon after the one before
+/// that it may have waited. The longest such row; none where it may never end. Routines of I2C and SPI, which are less
+/// urgent, count too: the model does not tell them apart.
 std::optional<Duration> longest_row(const Model& model, const TaskSet& set, Effort& effort) {
   std::vector<Stream> streams = set.sources;
   for (Stream& stream : streams) stream.cost += model.costs.event_pause;
@@ -23,7 +23,7 @@ std::optional<Duration> longest_row(const Model& model, const TaskSet& set, Effo
   return row == kNever ? std::nullopt : std::optional(row);
 }
 
-/// On a line of two: the firmware dates a frame by the silence behind it, and one that is read before that by two bytes
+/// On a line of two: the firmware dates a frame by the silence after it, and one that is read before that by two bytes
 /// and kEventSlack of uart.cpp. Where there may be no silence, as another frame follows at once, all bytes that came
 /// together are dated as if as much silence lay between them: for each twice its time. They are part of what the device
 /// receives.

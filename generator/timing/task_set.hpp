@@ -18,13 +18,13 @@ struct Stream {
     std::int64_t count = 0;
     Duration period = nanoseconds(1);
     std::int64_t carry_in = 0;
-    std::int64_t every = 1;  ///< in so many periods that follow one another
+    std::int64_t every = 1;  ///< in this many periods that follow one another
     Duration jitter;         ///< how long before the window what causes them can have been
     std::int64_t most = kUnlimited;
     InterruptCause cause = InterruptCause::clock;
     AskedIn asked_in = AskedIn::handle;
     Rank device;  ///< that causes them, where jobs do
-    /// Transfers: of so many jobs more, as carry_in has it, because nobody knows yet that they end within a period.
+    /// Transfers: of this many more jobs, as in carry_in, because it is not known yet that they end within a period.
     std::int64_t lasting = 0;
     std::size_t kind = 0;  ///< where the stream holds several; all of one have the same separation
     Duration separation;   ///< of two that any budget of the same kind allows; 0: that of the stream
@@ -47,13 +47,13 @@ struct Stream {
 /// waits: beside it only higher-priority jobs run there, those that are released in the window (job_streams.hpp).
 struct JobStreams {
   std::vector<Stream> whole;   ///< from before the release to the end of one of its stages
-  std::vector<Stream> inside;  ///< from the begin of one of its stages to the end of another
+  std::vector<Stream> inside;  ///< from the start of one of its stages to the end of another
 };
 
 struct TaskBucket {
   Duration period = nanoseconds(1);
   Duration before;            ///< entry of a job, ahead of the first update
-  Duration after;             ///< flush and exit, behind the last handle
+  Duration after;             ///< flush and exit, after the last handle()
   Duration cost;              ///< one whole job
   std::vector<Rank> devices;  ///< registration order
 };

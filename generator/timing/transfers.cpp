@@ -55,7 +55,7 @@ Duration TransferBounds::with_service(const Item& item, std::int64_t interrupts,
   return std::min(item.pure + service + interrupts * delay, together);
 }
 
-/// Of a part on a bus that arbitrates, behind its question: a part may answer as late as a measurement takes. What
+/// Of a part on a bus that arbitrates, after its question: a part may answer as late as a measurement takes. What
 /// answers a frame that several devices fill comes when that one has left, which it has before the next one.
 Duration TransferBounds::latest_answer(const Device& device, const Transfer& transfer) const {
   const bool answers = transfer.reads && transfer.after != Transfer::After::autonomous;
@@ -171,8 +171,9 @@ Duration TransferBounds::blocking(const Item& own) const {
   return longest;
 }
 
-/// All that goes before `own` and is handed over in a time, its begin included or not; none where there may be any
-/// amount. Of equal rank the order of the slots decides; counting both ways is safe.
+/// The time on the wire of all that is handed over within `time` and goes before `own`, with or without what comes at
+/// its first instant; none where there may be any amount. Of equal rank the order of the slots decides; counting both
+/// ways is safe.
 std::optional<Duration> TransferBounds::more_urgent(const Item& own, Duration time, bool with_begin) const {
   Duration total;
   for (const Item& item : items_) {
@@ -206,7 +207,7 @@ Duration TransferBounds::at_begin(const Item& own) const {
   return busy && *busy + own.jitter <= own.period ? other : std::max(other, own.on_wire());
 }
 
-/// Hand-over to the begin of the last of its frames, all less those before it.
+/// From hand-over to the start of the last of its frames, less the time of those before that one.
 std::optional<Duration> TransferBounds::wait(const Item& own) const {
   // What an overloaded bus cannot carry fills mailboxes and queues: then no frame of it is sure of its place.
   if (!own.bounded || loads_[own.bus].utilization > 1 || !is_declared_[own.bus]) return std::nullopt;

@@ -65,7 +65,7 @@ class TransferBounds {
     std::optional<std::pair<std::int64_t, std::int64_t>> identifiers = std::nullopt;
     std::int64_t frames = 1;  ///< that it is sent in, all equally long
     Duration late = {};       ///< from its hand-over to when the part begins to answer, at the latest
-    bool is_split = false;    ///< in frames of which nobody knows how long the last is
+    bool is_split = false;    ///< in frames of which the length of the last is unknown
     std::size_t bucket = 0;   ///< whose jobs hand it over
     /// On a polled bus: from the end of a transfer to the look that sees it, and begins the next one.
     Duration look = {};

@@ -23,7 +23,7 @@ struct Cause {
   std::optional<Duration> period;  ///< of a bucket that may miss its deadline
   std::optional<BusPlace> bus;     ///< else: where a message may wait without end, or longer than until the next
   Rank device;                     ///< whose bucket or message it is
-  std::optional<Rank> ageless = std::nullopt;  ///< of which nobody knows how old its data are
+  std::optional<Rank> ageless = std::nullopt;  ///< of which it is unknown how old its data are
   friend bool operator==(const Cause& a, const Cause& b) {
     return a.part == b.part && a.period == b.period && a.bus == b.bus && a.ageless == b.ageless;
   }

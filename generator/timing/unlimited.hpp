@@ -1,4 +1,4 @@
-// Where nothing bounds a number.
+// The value of a count that nothing bounds.
 #pragma once
 
 #include <cstdint>

@@ -70,7 +70,7 @@ Duration WireAnalysis::stage_end(Rank device, Transfer::After stage) const {
   return (stage == Transfer::After::update ? profile_.responses.r_plus : profile_.responses.r_minus)[device];
 }
 
-/// From the release of a job, and thus from its handle(), to the end of the stage in one so many jobs later.
+/// From the release of a job, and thus from its handle(), to the end of the stage `jobs` jobs later.
 std::optional<Duration> WireAnalysis::stage_after(Rank device, Transfer::After stage, std::int64_t jobs) const {
   if (!profile_.responses.ok(profile_.set.bucket_of[device])) return std::nullopt;
   return jobs * model_.devices[device].period + stage_end(device, stage);
@@ -83,7 +83,7 @@ std::optional<Duration> WireAnalysis::end_of_next_job(Rank device) const {
   return profile_.set.buckets[w].period + profile_.responses.bucket[w];
 }
 
-/// From where so much of its handles is left, and the flush.
+/// From where `handles` is left of its handles, and the flush.
 std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles, std::size_t stage, Duration latest,
                                                  const std::function<Duration(Duration release)>& of) const {
   if (!profile_.responses.ok(w)) return std::nullopt;
@@ -91,7 +91,7 @@ std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles
   return RestOfJob(profile_.set, profile_.responses, effort_).from(w, work, stage, latest, of);
 }
 
-/// For so many jobs transfers of the same slot may leave a transfer no room: each has its turn before one has another,
+/// For how many jobs transfers of the same slot may leave a transfer no room: each has its turn before one has another,
 /// and a turn lasts for as many jobs as begin until the transfer has ended.
 std::optional<std::int64_t> WireAnalysis::jobs_to_wait(Rank device, std::int64_t slot) const {
   if (slot == 0) return 0;
@@ -203,7 +203,7 @@ std::optional<Duration> WireAnalysis::asked(Rank from) const {
     if (!bound) return std::nullopt;
     const auto begin = asked_at(from, transfer);
     if (!begin) return std::nullopt;
-    // Behind a measurement the answer may wait for as much as the question has.
+    // After a measurement the answer may wait for as much as the question has.
     const bool waits_twice = model_.buses[transfer.bus].arbitrated && a.conversion > Duration::zero();
     busy = std::max(busy, *begin + (waits_twice ? 2 : 1) * *bound);
   }
@@ -212,7 +212,7 @@ std::optional<Duration> WireAnalysis::asked(Rank from) const {
   const std::int64_t extra_of_each = std::max<std::int64_t>(ceil_div(busy, device.period) - 1, 0);
   const std::int64_t extra = multiply(std::max<std::int64_t>(a.conversions, 1), extra_of_each);
   // Measured in `periods` and published then; read until just before the next one that is published, of which each is
-  // begun so many periods after the one before, and `every` of them make one value.
+  // begun `apart` periods after the one before, and `every` of them make one value.
   const std::int64_t least = std::max<std::int64_t>(a.periods, 1);
   const std::int64_t apart = add(std::max<std::int64_t>(a.begun_every, 1), extra);
   const std::int64_t periods = add(add(least, extra), multiply(a.every, apart) - 1);

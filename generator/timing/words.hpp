@@ -27,7 +27,7 @@ std::string whole_percent(double fraction);
 /// `'imu'`
 std::string quoted(const std::string& name);
 
-/// `'a', 'b' and 3 more`: the names of devices, at most so many.
+/// `'a', 'b' and 3 more`: the names of devices, at most `most` of them.
 std::string quoted_names(const Model& model, const std::vector<Rank>& devices, std::size_t most);
 
 /// `the devices with period 1ms`

@@ -20,7 +20,7 @@ bool is_of_identifier(char c) {
          static_cast<unsigned char>(c) > 127;
 }
 
-/// The identifier that `line` begins with, behind blanks; empty: none.
+/// The identifier that `line` begins with, after blanks; empty: none.
 std::string_view take_word(std::string_view& line) {
   skip_blanks(line);
   const auto end = std::find_if_not(line.begin(), line.end(), is_of_identifier);
@@ -29,7 +29,7 @@ std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-/// Takes the name in quotes or brackets that `line` begins with, behind blanks.
+/// Takes the name in quotes or brackets that `line` begins with, after blanks.
 std::optional<FileName> take_name(std::string_view& line) {
   skip_blanks(line);
   if (line.empty() || (line.front() != '"' && line.front() != '<')) return std::nullopt;
@@ -149,7 +149,7 @@ std::string with_joined_literals(std::string_view text) {
   return out;
 }
 
-/// What stands in quotes, escaped ones of a literal or not, behind a directive of the assembler.
+/// What stands in quotes, escaped ones of a literal or not, after a directive of the assembler.
 void add_assembled(std::string_view text, std::string_view directive, Directives& found) {
   for (std::size_t at = text.find(directive); at != std::string_view::npos; at = text.find(directive, at + 1)) {
     found.is_read_by_assembler = true;

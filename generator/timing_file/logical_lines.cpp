@@ -24,7 +24,7 @@ std::string spliced(std::string_view text) {
   return out;
 }
 
-/// Where the literal that begins at `begin` ends: behind its quote, or at the end of its line.
+/// Where the literal that begins at `begin` ends: after its quote, or at the end of its line.
 std::size_t end_of_literal(std::string_view text, std::size_t begin) {
   for (std::size_t i = begin + 1; i < text.size(); ++i) {
     if (text[i] == '\n') return i;
@@ -38,7 +38,7 @@ bool begins_number(std::string_view text, std::size_t at) {
   return std::isdigit(static_cast<unsigned char>(text[at])) != 0 && (at == 0 || !is_of_word(text[at - 1]));
 }
 
-/// Behind a number, whose digits a quote may separate.
+/// After a number, whose digits a quote may separate.
 std::size_t end_of_number(std::string_view text, std::size_t begin) {
   std::size_t end = begin;
   while (end < text.size() && (is_of_word(text[end]) || text[end] == '.' ||
@@ -55,7 +55,7 @@ bool is_raw(std::string_view text, std::size_t at) {
   return prefix == "R" || prefix == "u8R" || prefix == "uR" || prefix == "UR" || prefix == "LR";
 }
 
-/// Where the raw string whose quote is at `at` ends: behind the same word as it began with.
+/// Where the raw string whose quote is at `at` ends: after the same word as it began with.
 std::size_t end_of_raw(std::string_view text, std::size_t at) {
   const std::size_t open = text.find('(', at);
   if (open == std::string_view::npos) return text.size();

@@ -1,4 +1,5 @@
-// What a clock counts to how long that can really take, and back, where it is off by so many parts per million at most.
+// What a clock counts to how long that can really take, and back, where it is off by a number of parts per million at
+// most.
 //
 // A clock that is off by p runs at (1 - p) to (1 + p) times its rate. Both ends are rounded to the safe side.
 #pragma once

@@ -129,7 +129,7 @@ Result<double> parse_real(std::string_view text, std::string_view unit) {
   const auto parsed = std::from_chars(number.data(), number.data() + number.size(), value);
   if (parsed.ec == std::errc()) return value;
   if (!is_below_one(number)) return too_large(text);
-  // no zero: a range that holds zero does not hold it, and no float does
+  // not zero: a range that holds zero need not hold this number, and no float holds it
   return std::copysign(std::numeric_limits<double>::min(), number.front() == '-' ? -1.0 : 1.0);
 }
 

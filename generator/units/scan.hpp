@@ -1,4 +1,4 @@
-// The begin of a text to how much of it is a number.
+// How much of a text, from its start, is a number.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@ namespace finemote::gen::units {
 
 bool is_digit(char c);
 
-/// Decimal digits at the begin of the text.
+/// The number of decimal digits at the start of the text.
 std::size_t count_digits(std::string_view text);
 
-/// Length of `[0-9]+(\.[0-9]+)?` at the begin of the text; 0 when there is none.
+/// Length of the match of `[0-9]+(\.[0-9]+)?` at the start of the text; 0 when there is none.
 std::size_t number_length(std::string_view text);
 
 /// The text as messages show it: cut off where it is long.

@@ -8,7 +8,7 @@ namespace finemote::gen::wcet {
 namespace {
 
 constexpr std::uint32_t kLine = 16;          // bytes of flash that are read at once: RM0090 3.5
-constexpr std::uint32_t kFetchedAhead = 12;  // bytes behind a jump that the core asks for
+constexpr std::uint32_t kFetchedAhead = 12;  // bytes after the target of a jump that the core prefetches
 
 std::uint32_t line_of(std::uint32_t address) { return address / kLine; }
 

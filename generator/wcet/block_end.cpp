@@ -75,7 +75,7 @@ class Leaving {
     return {machine.get(ARM_REG_LR).anywhere(), !machine.is_link_kept()};
   }
 
-  /// To the caller, or to behind a call of a part of this function, as far as is known.
+  /// To the caller, or to after a call of a part of this function, as far as is known.
   void leave(Machine machine) {
     const Return back = returned_by(machine);
     execute(end_.last, end_.surroundings, machine);

@@ -1,4 +1,4 @@
-// What the flags remember: a comparison that a branch behind it decides by.
+// What the flags remember: a comparison that a later branch decides by.
 #pragma once
 
 #include <capstone/capstone.h>

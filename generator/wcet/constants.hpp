@@ -34,7 +34,7 @@ class Constants {
   [[nodiscard]] std::optional<std::uint32_t> word(std::uint32_t address, std::uint32_t size) const;
 
   const Image& image_;
-  std::vector<AddressRange> ranges_;  // by begin
+  std::vector<AddressRange> ranges_;  // by start
   std::map<std::uint32_t, std::uint32_t> words_;
 };
 

@@ -35,7 +35,7 @@ struct CostTable {
   /// waits.
   Cycles unaligned_word = 2, unaligned_half = 1;
 
-  Cycles taken = 3;    ///< the refill: besides, behind a branch that is taken, a call and a return
+  Cycles taken = 3;    ///< the refill: besides, after a branch that is taken, a call and a return
   Cycles skipped = 1;  ///< an instruction in an IT block whose condition fails
 
   Cycles straddling = 1;      ///< a wide instruction at an odd halfword may starve the decoder: not documented

@@ -8,7 +8,7 @@
 namespace finemote::gen::wcet {
 
 /// The register that `block` counts down by one until it is zero, ARM_REG_*; none: it does something else. Such a loop
-/// needs not be followed round by round: its rounds are all alike, as many as the register says.
+/// need not be followed iteration by iteration: all are alike, as many as the register says.
 std::optional<int> counted_down(const ProgramFunction& function, const BasicBlock& block);
 
 }  // namespace finemote::gen::wcet

@@ -24,7 +24,7 @@ const std::pair<const std::uint32_t, std::uint32_t>* served_in_turn(const Unroll
   return found;
 }
 
-/// A routine whose runs serve so many interrupts at most.
+/// A routine whose runs serve a limited number of interrupts.
 struct Limited {
   CauseTimes by_cause;
   Cycles longest = 0;  ///< whatever raised it

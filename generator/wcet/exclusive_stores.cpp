@@ -10,14 +10,14 @@ namespace {
 
 bool is_same(const Way& a, const Way& b) { return a.kind == b.kind && a.to == b.to && a.behind == b.behind; }
 
-/// To the begin of the loop and nowhere else, at once or by one block.
+/// To the loop header and nowhere else, directly or through one block.
 bool leads_back(const FlowGraph& graph, const Way& way, std::uint32_t header) {
   if (way.kind != Way::Kind::edge || way.to == header) return way.kind == Way::Kind::edge;
   const BasicBlock& next = graph.blocks.at(way.to);
   return !next.leaves && !next.call && next.edges.size() == 1 && next.edges.front().to == header;
 }
 
-/// Where the store fails there are further ways, and all of these lead to the begin of the loop.
+/// Where the store fails there are further ways, and all of them lead back to the loop header.
 bool fails_to(std::uint32_t header, const FlowGraph& graph, const Step& either, const Step& succeeding) {
   std::size_t further = 0, back = 0;
   for (const Way& way : either.ways) {

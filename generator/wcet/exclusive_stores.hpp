@@ -9,7 +9,7 @@
 
 namespace finemote::gen::wcet {
 
-/// Those of a program: where a failed one begins its loop anew, that turn is part of what a preemption costs.
+/// Those of a program: where a failed one begins its loop anew, that iteration is part of what a preemption costs.
 class ExclusiveStores {
  public:
   /// Runs a block. An exclusive store in it succeeds where to fail would only begin its loop anew, and nothing depends
@@ -17,14 +17,15 @@ class ExclusiveStores {
   Step step(const Frame& frame, const BasicBlock& block, Surroundings surroundings, const CodeCost& cost,
             Machine machine);
 
-  /// With what a turn of a loop begins at its header: one before that failed may have left other values there.
+  /// With what an iteration of a loop begins at its header: an earlier one that failed may have left other values
+  /// there.
   const Machine& begin_turn(Frame& frame, std::size_t loop);
 
  private:
   enum class Kind { none, retried, other };
   struct Known {
     std::map<std::uint32_t, Kind> kinds;             // of blocks
-    std::map<std::uint32_t, std::set<int>> carried;  // by header: registers of retried turns
+    std::map<std::uint32_t, std::set<int>> carried;  // by header: registers of retried iterations
   };
   const Known& of(const Frame& frame);
 

@@ -25,7 +25,7 @@ struct Surroundings {
 /// The flags of `left - right`, whose values are in these registers, if in any.
 Comparison comparison_of(Value a, Value b, int left, int right);
 
-/// Goes on behind an instruction whose condition holds. Whatever it may change and is not modelled becomes unknown.
+/// Carries out an instruction whose condition holds. Whatever it may change and is not modelled becomes unknown.
 /// Source: ARMv7-M A7.7.
 void execute(const Instruction& instruction, const Surroundings& surroundings, Machine& machine);
 

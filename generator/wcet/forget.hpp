@@ -1,4 +1,4 @@
-// What is left of a machine behind an instruction of which only the registers are known.
+// What is still known of a machine after an instruction of which only the registers are known.
 #pragma once
 
 #include "generator/image/instruction.hpp"

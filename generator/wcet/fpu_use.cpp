@@ -18,7 +18,7 @@ bool uses_fpu(const UnrolledGraph& graph) {
   for (const UnrolledNode& node : graph.nodes) blocks.emplace(node.function, node.block);
   return std::any_of(blocks.begin(), blocks.end(), [](const auto& place) {
     const auto& [function, begin] = place;
-    if (function == nullptr) return true;  // nobody knows
+    if (function == nullptr) return true;  // unknown
     const BasicBlock& block = function->graph.blocks.at(begin);
     const auto& instructions = function->body.instructions();
     return std::any_of(instructions.begin(), instructions.end(), [&](const Instruction& i) {

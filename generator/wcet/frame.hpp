@@ -43,7 +43,7 @@ struct Frame {
   Interval back;                        // what its caller put into the link register
 };
 
-/// What a try of a round changes, to be taken back behind it.
+/// What a try of an iteration changes, to be taken back after it.
 class Snapshot {
  public:
   Snapshot(const Frame& frame, const Walked& walked)

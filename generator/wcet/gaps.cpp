@@ -8,9 +8,9 @@ namespace {
 
 constexpr Cycles kInside = -1;  // no way comes here outside of stages
 
-/// Marks at the begin of a block.
+/// The marks at the start of a block.
 struct Place {
-  std::set<std::uint32_t> begun, ended;  ///< both by the mark of the begin
+  std::set<std::uint32_t> begun, ended;  ///< both named by their begin marks
 
   [[nodiscard]] bool is_any() const { return !begun.empty() || !ended.empty(); }
   /// A stage that is not empty begins here.

@@ -22,7 +22,7 @@ struct PathStep {
   Cycles cycles = 0;  ///< of its instructions and of the way to the next piece
 };
 
-/// A loop and how often it turns back to its begin.
+/// A loop and how often it jumps back to its header.
 struct LoopTime {
   std::uint32_t address = 0;
   std::string function;
@@ -32,7 +32,7 @@ struct LoopTime {
 
 /// From one mark to the next: runtime/include/finemote/mark.hpp.
 struct BracketTime {
-  std::uint32_t mark = 0;  ///< at its begin
+  std::uint32_t mark = 0;  ///< at its start
   Cycles cycles = 0;
   std::optional<Cycles> without_faults;  ///< on ways that no fault leads to; none: there is no such way
   std::vector<PathStep> path;

@@ -44,7 +44,7 @@ class Search {
 
   const UnrolledGraph& graph_;
   std::vector<Cycles> longest_;
-  std::vector<std::size_t> before_;  // on the longest way; of a begin itself
+  std::vector<std::size_t> before_;  // the predecessor on the longest way; a start node is its own
 };
 
 }  // namespace

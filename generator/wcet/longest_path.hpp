@@ -23,8 +23,8 @@ struct LongestPath {
 /// From the entry to any exit; none: no way leads out.
 std::optional<LongestPath> longest_path(const UnrolledGraph& graph);
 
-/// From the begin of a node in `from` to the begin of one in `to`, passing none of `to` before; none: there is no such
-/// way. The path ends before the node in `to`.
+/// The longest way from the start of a node in `from` to the start of the first node in `to` that it meets; none: there
+/// is no such way. The path ends before the node in `to`.
 std::optional<LongestPath> longest_between(const UnrolledGraph& graph, const std::vector<bool>& from,
                                            const std::vector<bool>& to);
 

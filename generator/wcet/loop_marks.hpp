@@ -12,16 +12,16 @@
 
 namespace finemote::gen::wcet {
 
-/// So many rounds of a loop are followed, one by one.
+/// How many iterations of a loop are followed, one by one.
 inline constexpr std::uint64_t kMostRounds = 10'000;
 
-/// A mark says how often, or for how long, it is passed from its begin on. So it says that of a loop in which it lies
-/// and its begin does not. Compilers leave out loops and make one of two; where its mark has come to lie in another
-/// loop, its begin lies there, too. Each of them has an instruction of its own, so that it is known on which side of
-/// the begin of a loop it lies.
+/// A mark says how often, or for how long, it is passed once its begin mark has been. So it bounds a loop that contains
+/// the mark but not its begin mark. Compilers leave out loops and make one of two; where its mark has come to lie in
+/// another loop, its begin mark lies there, too. Each of them has an instruction of its own, so that it is known on
+/// which side of a loop's entry it lies.
 bool is_of_loop_around(const LoopNest& nest, std::uint32_t mark, const Marks& marks);
 
-/// It is, and every round passes it: else nothing says which rounds are the long ones.
+/// It is, and every iteration passes it: otherwise nothing says which iterations are the long ones.
 bool ends_loop_around(const LoopNest& nest, std::uint32_t mark, const Marks& marks);
 
 /// Of a loop that no mark ends and the code does not: why none does.

@@ -15,10 +15,10 @@ namespace finemote::gen::wcet {
 /// A natural loop: all that reaches an edge back to the header without passing it. Loops of one header are one.
 struct Loop {
   std::uint32_t header = 0;
-  std::set<std::uint32_t> blocks;     ///< by begin, the header too
+  std::set<std::uint32_t> blocks;     ///< by their starts, the header too
   std::optional<std::size_t> parent;  ///< the smallest other loop around it; none: the function
 
-  /// How often a mark in it may be passed beyond what its source says: before a test that the loop begins with, behind
+  /// How often a mark in it may be passed beyond what its source says: before a test that the loop begins with, after
   /// its body, it is passed when the loop is left, too.
   [[nodiscard]] std::uint32_t passes_besides(std::uint32_t mark) const {
     return mark == header && *blocks.begin() != header ? 1 : 0;
@@ -32,12 +32,13 @@ class LoopNest {
   [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
   /// The smallest loop that holds a block; none: only the function does.
   [[nodiscard]] std::optional<std::size_t> around(std::uint32_t block) const;
-  /// Whether no turn of the smallest loop around a block passes it by; false where there is none.
+  /// Whether every iteration of the innermost loop around a block passes through it; false where there is none.
   [[nodiscard]] bool is_on_every_turn(std::uint32_t block) const;
-  /// Blocks of which a cycle is entered elsewhere than at a header that every way to it passes: it has no loop.
+  /// Blocks to which an edge leads back from one that they do not dominate: the cycle has further entries, and is no
+  /// loop here.
   [[nodiscard]] const std::vector<std::uint32_t>& irreducible() const { return irreducible_; }
   /// What to go through in a loop, or in the function (none): its own blocks and the headers of the loops in it, each
-  /// behind all that leads to it in one turn.
+  /// after all that leads to it in one iteration.
   [[nodiscard]] const std::vector<std::uint32_t>& order(std::optional<std::size_t> loop) const;
 
  private:

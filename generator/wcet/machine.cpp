@@ -38,7 +38,7 @@ void add_base(std::uint32_t base, std::vector<std::uint32_t>& bases) {
   if (base != 0) bases.push_back(base);
 }
 
-/// What is left of a register in so many bytes.
+/// What is left of a register in `size` bytes.
 Value cut_to(std::uint32_t size, Value value) {
   if (size >= 4) return value;
   const std::uint32_t mask = (1U << (8 * size)) - 1U;
@@ -64,8 +64,8 @@ Value unless_wrapped(Value relative, Interval range) {
 
 constexpr Value kBlurred = Value::in(Interval::any(), true);
 
-/// So many words are known before another one of this size is not: what is known is copied on every way. Parts of words
-/// are rarely anything but the contents of arrays.
+/// How many words are known at most before another one of this size is not: what is known is copied on every way. Parts
+/// of words are rarely anything but the contents of arrays.
 constexpr std::size_t most_words(std::uint32_t size) { return size < 4 ? 256 : 2048; }
 
 /// The core-coupled RAM, where every stack lies.

@@ -13,7 +13,7 @@
 namespace finemote::gen::wcet {
 
 /// A word: a range of numbers, or of distances from a word of which a range is known. So a pointer to the end of an
-/// array is known to be so many steps from its begin, wherever that is.
+/// array is known to be a fixed distance from its start, wherever that lies.
 struct Value {
   Interval distance;       ///< from the base; without one the word itself
   std::uint32_t base = 0;  ///< tells words apart of which only a range is known; 0: none
@@ -21,8 +21,8 @@ struct Value {
   /// Made of an address in the stack: something made of it may be one again. A pointer that was never made of the stack
   /// pointer leads to no variable there.
   bool is_of_stack = false;
-  /// An address in the stack, so far from where the stack would be if nothing had been preempted; it lies a multiple of
-  /// eight bytes below (AAPCS 6.2.1.2, ARMv7-M B1.5.7 with STKALIGN), nobody knows how many.
+  /// An address in the stack, as it would be if nothing had been preempted; the real one lies an unknown multiple of
+  /// eight bytes below it (AAPCS 6.2.1.2, ARMv7-M B1.5.7 with STKALIGN).
   bool is_place = false;
 
   static constexpr Value of(std::uint32_t value) { return in(Interval::of(value)); }
@@ -154,7 +154,7 @@ class Machine {
 
   /// Becomes what holds for both.
   void join(const Machine& other);
-  /// Forgets what `other` has otherwise: what changes from round to round of a loop.
+  /// Forgets what `other` has otherwise: what changes from one iteration of a loop to the next.
   void widen(const Machine& other);
   /// Whatever holds here holds there: nothing new would come of going on from `other`.
   [[nodiscard]] bool covers(const Machine& other) const;

@@ -7,7 +7,7 @@
 namespace finemote::gen::wcet {
 namespace {
 
-/// A round that an interrupt adds, or one for each interrupt: not told of a loop by its own begin.
+/// An iteration that an interrupt adds, or one for each interrupt: not told of a loop by its own begin mark.
 bool is_for_interrupts(std::uint32_t block, const Marks& marks) {
   return marks.retries.count(block) != 0 || marks.once_for_each.count(block) != 0;
 }

@@ -8,8 +8,8 @@
 
 namespace finemote::gen::wcet {
 
-/// The block has a mark of the loop around it, and rounds of its loop can pass it by: it says nothing of how many
-/// rounds there are, and which of them pass it.
+/// The block has a mark of the loop around it, and iterations of its loop can bypass it, so it does not bound the
+/// number of iterations, nor tell which of them pass it.
 bool is_passed_by_some(const Frame& frame, std::uint32_t block, const Marks& marks);
 
 /// Passes a block. False where its mark says that it is not passed again.

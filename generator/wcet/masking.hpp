@@ -9,7 +9,7 @@
 
 namespace finemote::gen::wcet {
 
-/// An instruction of the block that keeps interrupts out, other than those at the begin and the end of a section that
+/// An instruction of the block that keeps interrupts out, other than those at the start and the end of a section that
 /// is marked as masked: how long such sections are is known. None: there is no such instruction.
 std::optional<std::uint32_t> masks_by_itself(const ProgramFunction& function, const BasicBlock& block,
                                              const Marks& marks);

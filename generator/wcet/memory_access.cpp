@@ -52,7 +52,7 @@ void store(const Transferred& word, const Surroundings& surroundings, Machine& m
   if (surroundings.stores != nullptr) note(word.access, value, *surroundings.stores);
 }
 
-/// It succeeds behind the load that belongs to it where no exception comes between the two: ARMv7-M A3.4.1.
+/// It succeeds after the load that it belongs to if no exception comes between the two: ARMv7-M A3.4.1.
 void store_exclusive(const Instruction& i, const Surroundings& surroundings, Machine& machine) {
   const bool may_fail = surroundings.exclusive_may_fail || machine.may_fail_exclusive();
   machine.set(i.operands[0].reg, may_fail ? Value::in({0, 1}) : Value::of(0));

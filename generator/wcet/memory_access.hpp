@@ -6,7 +6,7 @@
 
 namespace finemote::gen::wcet {
 
-/// Goes on behind an instruction that reads or writes memory.
+/// Carries out an instruction that reads or writes memory.
 void access_memory(const Instruction& instruction, const MemoryUse& use, const Surroundings& surroundings,
                    Machine& machine);
 

@@ -29,7 +29,7 @@ constexpr Interval kFlashMemory{0x08000000, 0x081FFFFF}, kSramMemory{0x20000000,
 
 bool meets(Interval a, std::uint32_t first, std::uint32_t last) { return a.low <= last && first <= a.high; }
 
-/// From below all peripherals to where nothing is: nobody knows the address, or the number of an element. No variable
+/// From below all peripherals to where nothing is: the address is unknown, or the number of an element is. No variable
 /// and no array leads to a peripheral, then.
 bool is_unknown(Interval address) { return address.low < kFirstDevice && address.high > kLastMemory; }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Cycles kNoWay = -1;
 
-/// The longest way from the begin of the mark's node through the graph and back by the last edges.
+/// The longest way from the start of the mark's node through the graph and back over the last edges.
 Cycles round_of(const Retry& retry, const UnrolledGraph& graph) {
   std::size_t last = retry.begin;
   for (const UnrolledEdge& edge : retry.back) last = std::max(last, edge.from);

@@ -1,4 +1,4 @@
-// What it costs that an interrupt makes a loop turn once more.
+// What it costs that an interrupt makes a loop run one more iteration.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace finemote::gen::wcet {
 
-/// By RetriedBy: the longest round that such an interrupt adds to what it comes into.
+/// By RetriedBy: the longest iteration that such an interrupt adds to what it comes into.
 using RetryTimes = std::array<Cycles, kKindsOfRetry>;
 
 /// Takes the longer of `times` and those of the routine that was walked.

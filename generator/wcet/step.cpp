@@ -67,7 +67,7 @@ class Stepping {
     return cycles.value_or(0);
   }
 
-  /// An instruction behind which the next follows, or all of an IT block; the last one.
+  /// An instruction after which the next follows, or all of an IT block; the last one.
   const Instruction* pass(const Instruction& i) {
     if (i.is_conditional() && i.id != ARM_INS_IT) return pass_either(i);
     step_.cost += time(i, machine_);
@@ -120,7 +120,7 @@ class Stepping {
     return next->condition == condition || next->condition == opposite(condition) ? next : nullptr;
   }
 
-  /// What is behind the block may still ask for the same comparison, but not for registers that were written since.
+  /// What comes after the block may still ask for the same comparison, but not for registers that were written since.
   static void forget_written(const Instruction& i, std::optional<Comparison>& flags) {
     if (i.sets_flags) flags.reset();
     if (!flags) return;

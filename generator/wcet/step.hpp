@@ -1,4 +1,4 @@
-// A basic block on a machine: what it takes, and what holds on the edges behind it.
+// A basic block on a machine: what it costs, and what holds on its outgoing edges.
 #pragma once
 
 #include <optional>

@@ -88,7 +88,7 @@ bool meets(const Registers& a, const Registers& b) {
   return std::any_of(a.begin(), a.end(), [&](int reg) { return b.count(reg) != 0; });
 }
 
-/// One turn, followed instruction by instruction.
+/// One iteration, followed instruction by instruction.
 class Following {
  public:
   Following(const ProgramFunction& function, const Turn& turn, std::uint32_t header)
@@ -120,7 +120,7 @@ class Following {
       visit(*i);
   }
 
-  /// What a block reads before it writes it, if the blocks behind it read `behind`.
+  /// What a block reads before it writes it, if the blocks after it read `behind`.
   [[nodiscard]] Registers read_in(std::uint32_t begin, const Registers& behind) const {
     Registers made, read;
     const auto take = [&](int reg) {
@@ -134,7 +134,7 @@ class Following {
     return read;
   }
 
-  /// What the turn reads before it has written it.
+  /// What the iteration reads before it has written it.
   [[nodiscard]] Registers read_first() const {
     std::map<std::uint32_t, Registers> read;
     for (bool is_new = true; is_new;) {
@@ -153,7 +153,7 @@ class Following {
     return read[header_];
   }
 
-  /// Registers made of `made_of`, behind a block.
+  /// Registers made of `made_of`, after a block.
   [[nodiscard]] Registers made_behind(std::uint32_t begin, Registers made_of) const {
     each(begin, [&](const Instruction& i) {
       const bool is_made_of = meets(read_by(i), made_of);
@@ -166,7 +166,7 @@ class Following {
     return made_of;
   }
 
-  /// What a turn leaves in some of these registers is made of what was in some of them.
+  /// What an iteration leaves in some of these registers is made of what was in some of them.
   [[nodiscard]] bool is_made_of_itself(const Registers& carried) const {
     std::map<std::uint32_t, Registers> made{{header_, carried}};
     bool comes_back = false;

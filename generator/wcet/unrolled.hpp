@@ -1,4 +1,4 @@
-// All ways through a routine, calls and rounds of loops written out: a graph without cycles.
+// All ways through a routine, calls and iterations of loops written out: a graph without cycles.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@ struct UnrolledEdge {
   Cycles cost = 0;  ///< of the way between: refill, first line
 };
 
-/// A basic block in one context: one chain of calls, one round of each loop around it.
+/// A basic block in one context: one chain of calls, one iteration of each loop around it.
 struct UnrolledNode {
   const ProgramFunction* function = nullptr;
-  std::uint32_t block = 0;  ///< its begin
+  std::uint32_t block = 0;  ///< its first address
   Cycles cost = 0;
   std::vector<UnrolledEdge> from;  ///< only nodes with smaller numbers
 };
 
 struct UnrolledGraph {
   std::vector<UnrolledNode> nodes;  ///< the first is the entry
-  std::vector<std::size_t> exits;   ///< the routine ends behind them
+  std::vector<std::size_t> exits;   ///< the routine ends after them
 };
 
 }  // namespace finemote::gen::wcet

@@ -71,7 +71,7 @@ std::uint64_t marks_passed(const Frame& frame, const Loop& loop) {
   return sum;
 }
 
-/// A round more than its mark allows without an interrupt.
+/// One more iteration than its mark allows without an interrupt.
 void note_retry(const Frame& frame, std::uint32_t block, const Marks& marks, std::vector<UnrolledEdge> back,
                 std::vector<Retry>& retries) {
   const auto retry = marks.retries.find(block);
@@ -237,7 +237,7 @@ class Walker {
     return std::move(frame.end);
   }
 
-  /// The blocks of a loop in one round, or of the function.
+  /// The blocks of a loop in one iteration, or of the function.
   void go_through(Frame& frame, std::optional<std::size_t> loop) {
     for (const std::uint32_t block : frame.nest.order(loop)) {
       auto& arrival = frame.arrivals[block];
@@ -248,7 +248,7 @@ class Walker {
     }
   }
 
-  /// A loop, round by round, until nothing comes back to its header.
+  /// A loop, iteration by iteration, until nothing comes back to its header.
   void turn(Frame& frame, std::size_t index) {
     const std::vector<std::uint32_t> waits = waits_of(frame.nest, index, context_.marks);
     if (!waits.empty()) return wait(frame, index, waits);
@@ -261,7 +261,7 @@ class Walker {
     note(frame, loop, rounds.value_or(0), walked_.loops);
   }
 
-  /// Turns back to its begin, until nothing comes back; none where there is no end to them.
+  /// How often it jumps back to its header, iterated until no way leads there; none: there is no end to it.
   std::optional<std::uint64_t> go_round(Frame& frame, std::size_t index) {
     const Loop& loop = frame.nest.loops()[index];
     for (const std::uint32_t block : loop.blocks) frame.passes.erase(block);
@@ -279,7 +279,7 @@ class Walker {
     }
   }
 
-  /// All of its rounds but the last together, which are alike; then the last one, behind which it is left.
+  /// All of its iterations but the last together, which are alike; then the last one, after which it is left.
   void count_down(Frame& frame, std::size_t index, int reg) {
     const Loop& loop = frame.nest.loops()[index];
     Arrival arrival = std::move(*frame.arrivals[loop.header]);
@@ -297,10 +297,10 @@ class Walker {
     note(frame, loop, static_cast<std::uint64_t>(back), walked_.loops);
   }
 
-  /// A loop that ends when the time is over: that long; then the rest of the round that was under way, and the one that
-  /// sees it, both from whatever state it has come to.
+  /// A loop that ends when the time is over: that long; then the rest of the iteration that was under way, and the one
+  /// that sees it, both from whatever state it has come to.
   void wait(Frame& frame, std::size_t index, const std::vector<std::uint32_t>& waits) {
-    const auto around = std::exchange(frame.unmarked, index);  // its rounds are those of any time
+    const auto around = std::exchange(frame.unmarked, index);  // its iterations are those of any time
     const Loop& loop = frame.nest.loops()[index];
     Arrival arrival = std::move(*frame.arrivals[loop.header]);
     frame.arrivals[loop.header].reset();
@@ -320,7 +320,8 @@ class Walker {
     frame.arrivals[loop.header].reset();
   }
 
-  /// Tries a round and widens `machine` by what it comes back with, without a trace of it. True where nothing is new.
+  /// Tries an iteration and widens `machine` by what it comes back with, without a trace of it. True where nothing is
+  /// new.
   bool settle(Frame& frame, std::size_t index, Machine& machine) {
     const std::uint32_t header = frame.nest.loops()[index].header;
     const Snapshot before(frame, walked_);
@@ -375,7 +376,7 @@ class Walker {
   }
 
   const WalkContext& context_;
-  const bool goes_on_;  ///< behind a problem, to find others; what is presumed there must be no ground of a constant
+  const bool goes_on_;  ///< after a problem, to find others; what is presumed there must be no ground of a constant
   Unknowns unknowns_;
   Walked walked_;
   LongestLoop longest_;

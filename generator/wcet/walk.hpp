@@ -35,18 +35,18 @@ struct WalkProblem {
 struct CountedLoop {
   const ProgramFunction* function = nullptr;
   std::uint32_t header = 0;
-  std::uint64_t rounds = 0;  ///< turns back to the header, at most
+  std::uint64_t rounds = 0;  ///< jumps back to the header, at most
   bool is_by_mark = false;   ///< a mark ended it
 };
 
-/// One more round of a loop that an interrupt has disturbed.
+/// One more iteration of a loop that an interrupt has disturbed.
 struct Retry {
   RetriedBy by = RetriedBy::release;
-  std::size_t begin = 0;           ///< node of the mark in the round before
+  std::size_t begin = 0;           ///< node of the mark in the iteration before
   std::vector<UnrolledEdge> back;  ///< ways from there to the mark again
 };
 
-/// Rounds of a loop that counts a register down, which are alike.
+/// Iterations of a loop that counts a register down, which are alike.
 struct Countdown {
   std::uint64_t rounds = 0;
   Cycles cost = 0;  ///< of each, at most
@@ -54,8 +54,8 @@ struct Countdown {
 
 struct Walked {
   UnrolledGraph graph;
-  std::set<std::size_t> waits;                  ///< nodes that stand for all rounds of a wait but the last two
-  std::map<std::size_t, Countdown> countdowns;  ///< by the node that stands for all rounds but the last
+  std::set<std::size_t> waits;                  ///< nodes that stand for all iterations of a wait but the last two
+  std::map<std::size_t, Countdown> countdowns;  ///< by the node that stands for all iterations but the last
   std::vector<Retry> retries;
   std::map<std::uint32_t, CountedLoop> loops;     ///< by header
   std::map<std::uint32_t, WalkProblem> problems;  ///< by address; empty: the graph holds every way there is

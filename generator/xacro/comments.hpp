@@ -17,7 +17,7 @@ struct Sink {
   [[nodiscard]] std::size_t end() const { return element.children.size(); }
 };
 
-/// A tag also protects what its expansion put before it: a mark stands behind the tag that was expanded last, and a
+/// A tag also protects what its expansion put before it: a mark stands after the tag that was expanded last, and a
 /// search for comments stops there. There is one mark; setting it takes it away where it was.
 class CommentMark {
  public:
@@ -29,7 +29,7 @@ class CommentMark {
   Serial remove_comments(Sink& before, std::size_t end, bool has_next);
   Serial remove_comments(Sink& before, bool has_next) { return remove_comments(before, before.end(), has_next); }
 
-  /// Puts the mark behind the last child, unless it has been set elsewhere since.
+  /// Puts the mark after the last child, unless it has been set elsewhere since.
   void set(const Sink& sink, Serial serial);
 
  private:

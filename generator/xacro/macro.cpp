@@ -11,7 +11,7 @@ bool is_blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
 
 bool ends_at(std::string_view text, std::size_t at) { return at >= text.size() || is_blank(text[at]); }
 
-/// Where a default that begins at each byte of a text may end: behind it is a blank or the end of the text.
+/// Where a default that begins at each byte of a text may end: after it is a blank or the end of the text.
 ///
 /// One pass from the end, so that no text takes more than time proportional to its length. A default stays in its line.
 class DefaultEnds {
@@ -58,7 +58,7 @@ class DefaultEnds {
   std::vector<Ends> at_;
 };
 
-/// Cuts a text into parameters, from its begin.
+/// Cuts a text into parameters, from its start.
 class ParameterCutter {
  public:
   explicit ParameterCutter(std::string_view text) : text_(text), ends_(text) {}

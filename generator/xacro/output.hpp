@@ -17,7 +17,7 @@ class Output {
   /// Fails when elements are nested too deeply.
   [[nodiscard]] Level enter_element(const Position& at);
 
-  /// Puts a complete node behind the others; fails when the document becomes too large, or could not be XML.
+  /// Puts a complete node after the others; fails when the document becomes too large, or could not be XML.
   void add(xml::Node node, const Sink& to);
   /// Puts an attribute to the others of an element that is not in place yet.
   void add(xml::Attribute attribute, xml::Node& element);

@@ -15,7 +15,7 @@ constexpr const char* kDescriptor = R"({"schema": "finemote.device/1", "type": "
   "class": "Counter", "header": "counter.hpp", "provides": [], "params": [],
   "wcet": {"update_ns": 20000, "handle_ns": 1000}})";
 
-/// A robot with one device of the user, whose update() turns so many times, and with <wcet> or not.
+/// A robot with one device of the user, whose update() iterates a number of times, and with <wcet> or not.
 class OneRobot {
  public:
   OneRobot() {

@@ -143,7 +143,8 @@ TEST_CASE_METHOD(Fixture,
 
 namespace {
 
-/// The part on its heater: warms by so many kelvin a second at full power, and loses to an environment of 25 degrees.
+/// The part on its heater: warms by a number of kelvin a second at full power, and loses to an environment of 25
+/// degrees.
 struct Warm : Fixture {
   Warm() {
     heater.start();

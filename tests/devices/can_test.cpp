@@ -67,7 +67,7 @@ TEST_CASE_METHOD(Fixture, "a frame is as old as the bus was busy before it: it m
   const Time start = 10 * kMillisecond;
   bus.on_frame(frame(0x201, 1), at(start));
   CHECK(one.received().at == start - kLongestFrame);
-  bus.on_frame(frame(0x202, 1), at(start + 120 * kMicrosecond));  // directly behind it
+  bus.on_frame(frame(0x202, 1), at(start + 120 * kMicrosecond));  // directly after it
   CHECK(two.received().at == start - kLongestFrame);
   bus.on_frame(frame(0x201, 1), at(start + 300 * kMicrosecond));  // after a pause
   CHECK(one.received().at == start + 300 * kMicrosecond - kLongestFrame);

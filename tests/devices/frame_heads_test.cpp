@@ -32,7 +32,7 @@ TEST_CASE("the next place at which a frame may begin is the same that a look at 
     const std::size_t shift = dice() % 4;  // where in a word they begin
     Bytes placed(shift, kFirst);
     placed.insert(placed.end(), bytes.begin(), bytes.end());
-    placed.push_back(kSecond);  // behind the last byte: not theirs
+    placed.push_back(kSecond);  // after the last byte: not theirs
     const FrameHeads<kMost> heads(placed.data() + shift, bytes.size(), kFirst, kSecond);
     for (std::size_t from = 0; from < bytes.size(); ++from) REQUIRE(heads.next(from) == first_from(bytes, from));
   }

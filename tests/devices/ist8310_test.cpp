@@ -23,7 +23,7 @@ struct Part : host::I2cPart {
     for (std::size_t i = 0; i < size; ++i) bytes.push_back(measured(i) ? registers[pointer + i] : 0);
     return !silent;
   }
-  /// Before its first measurement the part gives zeros, which may end behind two bytes of a read.
+  /// Before its first measurement the part gives zeros, which may end after two bytes of a read.
   bool measured(std::size_t byte) const {
     return pointer != 3 || reads > measures_in_read || (reads == measures_in_read && byte >= 2);
   }

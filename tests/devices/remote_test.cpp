@@ -227,7 +227,7 @@ TEST_CASE_METHOD(SbusFixture, "SBUS: data that look like a frame are none, whate
   const Duration period = GENERATE(1 * kMillisecond, 5 * kMillisecond, 7 * kMillisecond, 14 * kMillisecond,
                                    20 * kMillisecond, 50 * kMillisecond);
   CAPTURE(period);
-  host::usart3.feed(now(), Bytes(inner, whole.end()));  // its begin was lost
+  host::usart3.feed(now(), Bytes(inner, whole.end()));  // its start was lost
   for (int i = 1; i <= 40; ++i) host::usart3.feed(now() + i * 7 * kMillisecond, whole);
   for (Duration passed = 0; passed < 300 * kMillisecond; passed += period) {
     host::advance(period);

@@ -64,10 +64,10 @@ TEST_CASE_METHOD(Fixture, "a silence behind what was read stays one, whatever co
   REQUIRE(read() == count(10));
   const Time last = uart.arrival();
   line.feed(now(), count(10, 10));
-  host::advance(2 * uart.wire_time(1));  // the begin of the next message
+  host::advance(2 * uart.wire_time(1));  // the start of the next message
   CHECK(uart.idle());
   CHECK(uart.arrival() == last);
-  host::advance(5 * kMillisecond);  // all of it, and the silence behind it
+  host::advance(5 * kMillisecond);  // all of it, and the silence after it
   CHECK(uart.idle());
   CHECK(uart.arrival() == last);
   REQUIRE(read() == count(10, 10));
@@ -121,7 +121,7 @@ TEST_CASE_METHOD(Fixture, "the arrival of a byte with others behind it is never 
   const Time tenth = 2 * kMillisecond + 10 * byte;
   CHECK(uart.arrival() > tenth + 5 * byte);  // six bytes after the silence
   CHECK(uart.arrival() <= 5 * kMillisecond + 6 * byte);
-  CHECK(uart.arrival(6) <= tenth);  // the silence was behind it
+  CHECK(uart.arrival(6) <= tenth);  // the silence came after it
   CHECK(uart.arrival(6) > tenth - byte);
   CHECK(uart.arrival(10) < 2 * kMillisecond);  // nothing is known but that it came after the beginning
   host::advance(byte);

@@ -37,7 +37,7 @@ bool counts_nothing(const Json& record) {
   return nothing;
 }
 
-/// From one begin of a stage to the next [ns].
+/// From one start of a stage to the next [ns].
 std::int64_t longest_interval(const Json& record, unsigned stage) {
   std::int64_t last = -1, longest = 0;
   for (const Json& event : record["stages"]) {

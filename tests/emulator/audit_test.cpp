@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 /// A run with its record, taken apart.
 struct Audited {
   Json run, head;
-  std::vector<Json> lines;  ///< behind the first
+  std::vector<Json> lines;  ///< after the first
 
   Audited(const std::string& robot, const std::string& duration, const std::vector<std::string>& options = {}) {
     const TemporaryFolder folder;

@@ -13,7 +13,7 @@ namespace {
 const std::string kOrder = R"({"t_ns": 100000000, "part": "rov.host", "do": "send", "text": "ON"})";
 const std::string kJump = R"({"t_ns": 700000000, "part": "baro_1", "do": "move", "pressure": 200000})";
 
-/// A noisy line, long behind the jump or before it.
+/// A noisy line, long after the jump or before it.
 std::string damage_at(const std::string& t_ns) {
   return R"({"t_ns": )" + t_ns + R"(, "part": "imu", "do": "damage", "frames": 1})";
 }

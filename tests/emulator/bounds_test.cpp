@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 struct Case {
   const char* robot;     ///< in tests/emulator/bounds
   const char* duration;  ///< from the end of the bring-up on
-  const char* from;      ///< begin and end of the chain whose part is looked at; null: no bound is near what is seen
+  const char* from;      ///< start and end of the chain whose part is looked at; null: no bound is near what is seen
   const char* to;
   const char* part;
   double most;                            ///< bound by longest seen
@@ -87,7 +87,7 @@ void check_is_near(const Json& document, const Case& one) {
   FAIL("no such chain");
 }
 
-/// Falling edges of the key's line, so many from each of these times on.
+/// Falling edges of the key's line, `count` of them from each of these times on.
 std::string edges(const std::vector<std::int64_t>& begins_ns, int count, std::int64_t apart_ns) {
   Json events = Json::array();
   for (const std::int64_t begin : begins_ns) {

@@ -60,7 +60,8 @@ struct Talker {
   std::uint64_t ended_at = 0;
 };
 
-/// When the first release came where others send so many frames on the buses from the beginning, one after the other.
+/// When the first release came where others send a number of frames on the buses from the beginning, one after the
+/// other.
 struct TalkedOver {
   TalkedOver(unsigned left_frames, unsigned right_frames)
       : left(board, board.chip().can("can1")->line, left_frames),

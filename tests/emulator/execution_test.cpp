@@ -14,7 +14,7 @@ namespace {
 using Kind = ExecutionEvent::Kind;
 constexpr int kLine = 28;
 constexpr Time kCycle = period_of(16'000'000);         // after reset
-constexpr std::uint32_t kBody = 0x08000210;            // behind what loads r0 to r3
+constexpr std::uint32_t kBody = 0x08000210;            // after what loads r0 to r3
 const Code kFpuOn = {0x6801, 0xF441, 0x0170, 0x6001};  // r0: CPACR; ldr r1, [r0]; orr r1, #0xF00000; str r1, [r0]
 
 std::uint32_t bytes(const Code& code) { return static_cast<std::uint32_t>(2 * code.size()); }
@@ -150,7 +150,7 @@ TEST_CASE("a jump to itself is charged turn by turn, and not run so") {
     board->load(bench_image(1, {kNop, 0xE7FE}));
     board->run_for(1'000);
     if (one_by_one) board->cpu().set_probe([](std::uint32_t) {});
-    board->world().at(from_ns(5'001), [] {});  // in the middle of a turn
+    board->world().at(from_ns(5'001), [] {});  // in the middle of an iteration
     board->run_for(100'000);
     return board;
   };

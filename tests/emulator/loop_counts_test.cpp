@@ -1,4 +1,4 @@
-// How often loops turn, counted from outside.
+// How often loops iterate, counted from outside.
 #include "emulator/core/loop_counts.hpp"
 #include "catch.hpp"
 

@@ -153,7 +153,7 @@ namespace {
 /// The far end of the RS-485 line: two units, which answer with their number and the count of their questions.
 struct FarEnd {
   explicit FarEnd(Bench& bench) : bench(bench), terminal(*bench.outfit.terminal("far")) {}
-  /// Answers for so long, at most 0.1 ms after each question.
+  /// Answers for `ns`, at most 0.1 ms after each question.
   void serve(std::uint64_t ns) {
     for (std::uint64_t t = 0; t < ns; t += kMs / 10) {
       bench.board.run_for(kMs / 10);

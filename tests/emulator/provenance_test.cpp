@@ -44,7 +44,7 @@ struct Machine {
   Board board;
 };
 
-/// Tags of r4 behind `code`.
+/// Tags of r4 after `code`.
 std::string after(const Code& code) {
   Machine machine(code);
   machine.run(20'000);
@@ -126,7 +126,7 @@ TEST_CASE("registers of what an exception interrupts come back") {
 }
 
 TEST_CASE("every store of a handle is its run's, whatever it stores, and no other store is") {
-  // str r4, [r1]; [mark] str r4, [r1, #4]; push {r4}; pop {r4} [mark]; b to the begin
+  // str r4, [r1]; [mark] str r4, [r1, #4]; push {r4}; pop {r4} [mark]; b to the start
   Machine machine({kLoad4, 0x600C, 0x604C, 0xB410, 0xBC10, 0xE7F9});
   constexpr std::uint32_t kSecond = kBody + 4, kEnd = kBody + 10, kHandle = 3;  // of the second device
   machine.board.cpu().mark(kSecond, 2 * kHandle);
@@ -259,7 +259,7 @@ TEST_CASE("what the firmware claims is kept with what it used, until its time be
 }
 
 TEST_CASE("what an update loads counts, but not what comes back from the stack") {
-  // [mark] ldr r4, [r0] [mark]; b to the begin
+  // [mark] ldr r4, [r0] [mark]; b to the start
   Machine machine({kLoad4, kNop, 0xE7FC});
   machine.board.cpu().mark(kBody, 0);
   machine.board.cpu().mark(kBody + 2, 1);

@@ -35,7 +35,7 @@ class Watch {
     std::memcpy(halves, board_.cpu().memory(pc, 4), 4);
     const Operation o = take_apart(halves[0], halves[1]);
     if (stores(o)) waiting_ = true;
-    // A load from a peripheral comes behind the stores that went to the system bus: RAM and peripherals.
+    // A load from a peripheral comes after the stores that went to the system bus: RAM and peripherals.
     if (o.kind == Opcode::dsb || loads_from_peripheral(o)) waiting_ = false;
   }
   [[nodiscard]] bool loads_from_peripheral(const Operation& o) const {

@@ -149,7 +149,7 @@ const std::string kFourFrames = R"(
 <device name="d" type="dji_gm6020" period="2ms" bus="can" id="5"/>
 )";
 
-/// Devices that compute nothing but their turns, by period in milliseconds.
+/// Devices that do nothing but take 1 us in update() and in handle(), by period in milliseconds.
 std::string loads(const std::vector<int>& periods) {
   std::string list;
   for (std::size_t i = 0; i < periods.size(); ++i)
@@ -191,7 +191,7 @@ std::string questions(int devices) {
   return list;
 }
 
-/// Drawn by the campaign, and shrunk: looks at an I2C bus find its transfer behind the deadline, and going on.
+/// Drawn by the campaign, and shrunk: looks at an I2C bus find its transfer past the deadline, and going on.
 const std::string kLateTransfer = R"(
 <bus name="compass" type="i2c" port="i2c3" clock="400kHz"/>
 <bus name="wire" type="i2c" port="i2c2" clock="200kHz"/>
@@ -270,7 +270,7 @@ TEST_CASE("SPI with DMA: requests and ends, 64 bytes copied both ways") {
   for (const int clock : {657, 5250, 10500}) {
     const Swept one = sweep(exchanges("spi1", clock, 1, 4)), two = sweep(exchanges("spi1", clock, 2, 4));
     const std::string what = fmt::format("{} kHz", clock);
-    // No other waits behind the one, so that its end begins none: the longer of its two routines is the request.
+    // No other waits after the one, so that its end begins none: the longer of its two routines is the request.
     requests.add(what, one.longest_own("bus", "spi"), one.source("request"));
     ends.add(what, two.longest_own("bus", "spi"), two.source("end"));
   }

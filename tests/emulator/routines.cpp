@@ -13,7 +13,7 @@ struct Level {
   int exception = 0;  ///< 0: the idle loop
   std::int64_t begin = 0;
   std::int64_t own = 0, stages = 0;
-  std::map<int, std::int64_t> open;  ///< stages, with `own` at their begin
+  std::map<int, std::int64_t> open;  ///< stages, with `own` at their start
 };
 
 /// Follows the record from line to line.

@@ -82,7 +82,7 @@ nlohmann::json run(const std::string& robot, const std::string& name, const std:
   return run_file(source_path("examples/" + robot + ".urdf"), name, duration, expectations);
 }
 
-/// Puts `now` in place of the first `was` behind `mark`.
+/// Puts `now` in place of the first `was` after `mark`.
 void change(std::string& text, const std::string& mark, const std::string& was, const std::string& now) {
   const std::size_t at = text.find(was, text.find(mark));
   REQUIRE(at != std::string::npos);

@@ -64,7 +64,7 @@ struct Stretched {
     board.load(test_image("waits"));
     board.run_for(200 * kMs);
   }
-  /// The bus is busy for so much longer in 200 ms than it was in those before [ns].
+  /// How much longer the bus is busy in 200 ms than it was in those before [ns].
   std::int64_t longer(std::uint32_t clock_control) {
     const std::int64_t begin = busy();
     board.run_for(200 * kMs);

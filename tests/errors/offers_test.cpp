@@ -33,7 +33,7 @@ Pasted replaced(const std::string& text, std::size_t begin, std::size_t length, 
   return {text.substr(0, begin) + offer + text.substr(begin + length), begin, begin + offer.size()};
 }
 
-/// `attribute="value"`, in the tag around `offset`: instead of the one there, else behind the tag's name.
+/// `attribute="value"`, in the tag around `offset`: instead of the one there, else after the tag's name.
 Pasted with_attribute(const std::string& text, std::size_t offset, const std::string& name, const std::string& value) {
   const std::size_t tag = text.rfind('<', offset);
   const std::size_t close = text.find('>', tag);

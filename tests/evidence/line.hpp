@@ -12,7 +12,7 @@ namespace finemote::evidence {
 /// A frame that the device took, as the bytes of the vector.
 struct Taken {
   std::size_t burst = 0;     ///< in which it begins
-  Time begin = 0;            ///< of the frame, from the vector's begin
+  Time begin = 0;            ///< of the frame, from the vector's start
   std::ptrdiff_t first = 0;  ///< index of its first byte in the burst
 };
 

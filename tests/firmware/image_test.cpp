@@ -89,7 +89,7 @@ TEST_CASE("an image with disturbed bytes is read without harm") {
   const auto next = [&random] { return random = random * 1664525U + 1013904223U; };
   for (int round = 0; round < 60; ++round) {
     std::string bytes = whole;
-    // Half of the rounds disturb the headers at both ends, half anything.
+    // Half of the iterations disturb the headers at both ends, half anything.
     for (int i = 0; i < 40; ++i) {
       const std::size_t place = round % 2 == 0 ? bytes.size() - 1 - next() % 1500 : next() % bytes.size();
       bytes[place] = static_cast<char>(next() >> 24);

@@ -40,7 +40,7 @@ struct Wish {
 };
 
 constexpr std::size_t kBatch = 40;
-constexpr std::size_t kByFile = 40;  ///< one robot in so many is compiled file by file
+constexpr std::size_t kByFile = 40;  ///< one robot in this many is compiled file by file
 
 const std::vector<std::string> kRobots{"examples/finsrov.urdf",
                                        "examples/infantry.urdf",

@@ -82,7 +82,7 @@ TEST_CASE("a whole story: commands down, states up, damage, a foreign layout, si
     CHECK(robot::pilot_link.state.rejected >= 1);
     CHECK(pulse(host::pwm1) == 1'700'000);
   });
-  // The frame behind the cut one is found all the same, at the latest with the one after it.
+  // The frame after the cut one is found all the same, at the latest with the one after it.
   host::interrupt_at(330 * kMillisecond, [] {
     CHECK(robot::pilot_link.state.valid);
     CHECK(pulse(host::pwm1) == 1'700'000);

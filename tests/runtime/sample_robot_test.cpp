@@ -10,7 +10,7 @@ namespace {
 
 using namespace finemote;
 
-// "0@0-200 1@200-300": stage, begin and end in us; a preempted stage ends later than it began plus its work.
+// "0@0-200 1@200-300": stage, start and end in us; a preempted stage ends later than it began plus its work.
 std::string stages_before(Time limit) {
   std::ostringstream text;
   for (const host::Event& event : host::events()) {

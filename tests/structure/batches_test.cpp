@@ -34,7 +34,7 @@ bool is_word(const Token& token) {
 bool opens(const Token& token) { return token.text == "(" || token.text == "[" || token.text == "{"; }
 bool closes(const Token& token) { return token.text == ")" || token.text == "]" || token.text == "}"; }
 
-/// Behind the bracket that closes the one at `at`.
+/// After the bracket that closes the one at `at`.
 std::size_t behind_group(const Tokens& tokens, std::size_t at) {
   int depth = 0;
   do {
@@ -44,7 +44,7 @@ std::size_t behind_group(const Tokens& tokens, std::size_t at) {
   return at;
 }
 
-/// Behind the template arguments that begin at `at`; `at` where none do.
+/// After the template arguments that begin at `at`; `at` where none do.
 std::size_t behind_angles(const Tokens& tokens, std::size_t at) {
   if (at >= tokens.size() || tokens[at].text != "<") return at;
   int depth = 0;

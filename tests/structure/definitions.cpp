@@ -10,7 +10,7 @@
 namespace finemote::test {
 namespace {
 
-/// What was read of a declaration; a group in brackets is one token: `()`, `[]` or `{}`, and `<>` behind `template`.
+/// What was read of a declaration; a group in brackets is one token: `()`, `[]` or `{}`, and `<>` after `template`.
 using Head = std::vector<Token>;
 
 bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
@@ -27,7 +27,7 @@ std::string text_at(const Head& head, std::size_t at) { return at < head.size() 
 
 bool begins_with(const Head& head, std::string_view word) { return !head.empty() && head[0].text == word; }
 
-/// Behind the template arguments that begin at `at`; `at` where none do.
+/// After the template arguments that begin at `at`; `at` where none do.
 std::size_t behind_angles(const Head& head, std::size_t at) {
   if (text_at(head, at) != "<") return at;
   int depth = 0;
@@ -100,7 +100,7 @@ bool is_function_tail(const Head& head, std::size_t at) {
   for (; at < head.size(); ++at) {
     const std::string& text = head[at].text;
     if (is_one_of(text, {"->", "requires"})) return true;
-    // Of `: a_{1}, b_(2) {`, the brace behind a name is one more member's value.
+    // Of `: a_{1}, b_(2) {`, the brace after a name is one more member's value.
     if (text == ":") return is_one_of(head.back().text, {"()", "{}", "."});
     if (is_one_of(text, {"noexcept", "__attribute__"}) || is_macro(text)) {
       if (text_at(head, at + 1) == "()") ++at;

@@ -21,7 +21,7 @@ struct Definition {
   [[nodiscard]] int lines() const { return last_line - first_line + 1; }
 };
 
-/// In the order in which they end: a class comes behind the functions in it.
+/// In the order in which they end: a class comes after the functions in it.
 /// @throws std::runtime_error  braces or parentheses do not match, as in the two sides of an `#else` that share one
 std::vector<Definition> definitions_in(std::string_view text);
 

@@ -20,7 +20,7 @@ struct Item {
 
 std::string on_one_line(const std::string& text) { return std::regex_replace(text, std::regex("\\s+"), " "); }
 
-/// `1. **id** (detected): text.` at the begin of every item of the page's section.
+/// `1. **id** (detected): text.` at the start of every item of the page's section.
 std::vector<Item> items_of_page() {
   const std::string page = finemote::test::read(finemote::test::source_dir() + "/docs/timing.md");
   const std::size_t begin = page.find("\n## Assumptions\n");

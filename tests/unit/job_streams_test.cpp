@@ -141,7 +141,7 @@ TEST_CASE("where transfers may last as long as the period, windows of jobs hold 
     CHECK(slow.budget(bucket).jitter == 0_ns);
     CHECK(slow.budget(bucket).most == kUnlimited);
   }
-  slow.model.devices[Rank{1}].transfers.clear();  // nobody knows when they end
+  slow.model.devices[Rank{1}].transfers.clear();  // it is unknown when they end
   CHECK(slow.budget(0).most == kUnlimited);
 }
 

@@ -34,7 +34,7 @@ struct End {
   std::size_t kind;
 };
 
-/// Ends of frames of all kinds, one frame behind the other and mostly without a pause, each kind within its budget.
+/// Ends of frames of all kinds, one frame after the other and mostly without a pause, each kind within its budget.
 std::vector<End> random_traffic(const std::vector<Stream>& kinds, Duration length, Random& random) {
   std::vector<End> ends;
   std::vector<std::pair<std::int64_t, std::int64_t>> used(kinds.size(), {-1, 0});  // period, frames in it

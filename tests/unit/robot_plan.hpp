@@ -1,4 +1,4 @@
-// Robots for tests of what comes behind the model: from a few elements, or an example, to the plan of their schedule.
+// Robots for tests of what comes after the model: from a few elements, or an example, to the plan of their schedule.
 #pragma once
 
 #include <algorithm>

@@ -160,7 +160,7 @@ namespace {
 
 const std::string kBattery = R"(<use role="sense" pin="battery"/></device>)";
 
-/// Acquire of a battery that is measured beside so much work in each millisecond.
+/// Acquire of a battery that is measured beside this much work in each millisecond.
 finemote::gen::Duration acquire_beside(const std::string& work) {
   const Robots robot = Robots::with(R"(<device name="root" type="group" period="1ms">
     <device name="load" type="sim_load"><param name="update">)" +

@@ -7,7 +7,7 @@ using namespace finemote::gen::timing;
 
 namespace {
 
-/// So many motors on one CAN bus, each of which sends a thousand frames in a second.
+/// `count` motors on one CAN bus, each of which sends a thousand frames in a second.
 Robots motors(int count, const std::string& period = "1ms") {
   std::string devices;
   for (int id = 1; id <= count; ++id) {

@@ -348,7 +348,7 @@ TEST_CASE("where a frame may still be in its mailbox when the next one comes, no
 TEST_CASE("a suggested order keeps what is read before its readers") {
   Sources sources;
   Diagnostics diagnostics;
-  // By its trees alone the order would not matter; the reader behind the remote uses data of the same release.
+  // By its trees alone the order would not matter; the reader after the remote uses data of the same release.
   auto model = read_model(
       *sources.add(
           {"m.json", "",
@@ -358,13 +358,12 @@ TEST_CASE("a suggested order keeps what is read before its readers") {
       diagnostics);
   REQUIRE(model);
   const auto free = suggest_order(*model, Profile::tight);
-  CHECK(free[Rank{0}] != Rank{0});  // the remote behind the slower tree ends sooner after it begins
+  CHECK(free[Rank{0}] != Rank{0});  // the remote after the slower tree ends sooner after it begins
   model->devices[Rank{2}].reads = {Rank{0}};
   const auto bound = suggest_order(*model, Profile::tight);
   CHECK(bound == Order{Rank{0}, Rank{1}, Rank{2}});
   const Model late = reorder(*model, {Rank{1}, Rank{2}, Rank{0}});
-  CHECK(suggest_order(late, Profile::tight)[Rank{0}] ==
-        Rank{2});  // and it moves a remote that stands behind its reader
+  CHECK(suggest_order(late, Profile::tight)[Rank{0}] == Rank{2});  // and it moves a remote that stands after its reader
 }
 
 TEST_CASE("every conversion of a measurement takes the periods that it does not fit into") {

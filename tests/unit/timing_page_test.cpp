@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// By the begin of a row's first cell: the figures of its third one, in their order, as `costs.NAME`,
+/// By the start of a row's first cell: the figures of its third one, in their order, as `costs.NAME`,
 /// `DRIVER.supervise_ns` or `DRIVER.SOURCE.MEMBER`.
 const std::map<std::string, std::vector<std::string>> kRows{
     {"exception entry and exit",

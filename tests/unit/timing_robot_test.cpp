@@ -372,7 +372,7 @@ TEST_CASE("what publishes a value for a faster bucket counts with the stage that
   REQUIRE(std::count_if(plan.schedule.crossings.begin(), plan.schedule.crossings.end(), between) == 2);
 
   const auto move = [](std::int64_t& from, std::int64_t& to) { to += std::exchange(from, 0); };
-  move(expected["slow"].second, expected["slow"].first);   // its state, behind which its own handle() comes
+  move(expected["slow"].second, expected["slow"].first);   // its state, after which its own handle() comes
   move(expected["leaf"].second, expected["slow"].second);  // its command to `fast`
   CHECK(extras() == expected);
 }

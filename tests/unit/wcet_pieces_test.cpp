@@ -1,4 +1,4 @@
-// What runs beside stages: routines by what raised them, jobs around their stages, rounds that an interrupt adds.
+// What runs beside stages: routines by what raised them, jobs around their stages, iterations that an interrupt adds.
 #include <algorithm>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -163,13 +163,13 @@ TEST_CASE("runs that serve several interrupts take no longer than each of these 
       CHECK(taken <= static_cast<Cycles>(came) * each);
     }
   }
-  CHECK(time_of_each({5, 12, 19}) == 12);       // a round of 7
+  CHECK(time_of_each({5, 12, 19}) == 12);       // an iteration of 7
   CHECK(time_of_each({5, 12, 30}) == 18);       // two of them take longer than twice one
   CHECK(time_of_each({10, 11, 12, 13}) == 11);  // runs that find nothing are paid for
 }
 
 TEST_CASE("what a job takes is told by the stage that it runs before, and what is left behind the last") {
-  // entry 5, stage of mark 2: 10, between 3, stage of mark 4: 20, behind 7
+  // entry 5, stage of mark 2: 10, between 3, stage of mark 4: 20, after 7
   const Gaps gaps = gaps_between(chain_of({5, 10, 3, 20, 7}), brackets_at({{1, 2}, {2, 3}, {3, 4}, {4, 5}}), kOther);
   CHECK(before(gaps, {2}) == 5);
   CHECK(before(gaps, {4}) == 3);

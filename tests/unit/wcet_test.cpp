@@ -279,7 +279,7 @@ TEST_CASE("a cycle that is entered in two places is no loop") {
 
 namespace {
 
-/// Decodes halfwords and runs them, all behind each other.
+/// Decodes halfwords and runs them, one after the other.
 Machine run_code(const std::vector<std::uint16_t>& halfwords, Machine machine) {
   std::string bytes;
   for (const std::uint16_t halfword : halfwords) {
@@ -479,7 +479,7 @@ TEST_CASE("a loop that only counts is not followed round by round") {
   // movw r0, #0; movt r0, #256 (16,777,216); subs r0, #1; bne -2; bx lr
   const Bound bound = bound_of({0xF240, 0x0000, 0xF2C0, 0x1000, 0x3801, 0xD1FD, kReturn});
   CHECK(bound.rounds == 0xFFFFFF);
-  // 1 and 1; each round 1 + 1; a branch taken, 3, but in the last; the return: 1
+  // 1 and 1; each iteration 1 + 1; a branch taken, 3, but in the last; the return: 1
   CHECK(bound.cycles == 2 + 0x1000000 * 2 + 0xFFFFFF * 3 + 1);
   CHECK(bound_of({0xF240, 0x0000, 0xF6CF, 0x7000, 0x3801, 0xD1FD, kReturn}).problem ==
         "a loop that counts for seconds");
@@ -607,7 +607,7 @@ TEST_CASE("the largest limit that a wait can be given counts") {
 }
 
 TEST_CASE("what a wait changes from round to round is not known behind it") {
-  // movs r2, #100; movs r3, #5; and in each round: adds r3, #1
+  // movs r2, #100; movs r3, #5; and in each iteration: adds r3, #1
   const std::vector<std::uint16_t> before{0x2264, 0x2305};
   const std::vector<std::uint16_t> count_down{0x3B01, 0xD1FD, kReturn};  // subs r3, #1; bne -2; bx lr
   CHECK(bound_of_wait(before, count_down).rounds == 4);

@@ -34,7 +34,7 @@ class CoreFlow {
     return emulator::take_apart(half(address), half(address + 2));
   }
 
-  /// Where the core can go behind the instruction, what is behind a call included; `from` is the first address behind
+  /// Where the core can go after the instruction, what is after a call included; `from` is the first address after
   /// which it is not conditional by an IT block.
   [[nodiscard]] std::set<std::uint32_t> behind(std::uint32_t address, bool is_conditional) const {
     const Operation o = at(address);
@@ -123,7 +123,7 @@ class CoreFlow {
   }
 
   const gen::Image& image_;
-  std::map<std::uint32_t, std::uint32_t> before_;  // begins of instructions, by their ends
+  std::map<std::uint32_t, std::uint32_t> before_;  // starts of instructions, by their ends
 };
 
 /// The last instruction of a block, and whether an IT block makes it conditional.

@@ -102,7 +102,7 @@ TEST_CASE("what is wrong in the marks or in the graph shows in a run") {
   hold(run, findings);
   const Marks& marks = run.loaded.marks;
 
-  // A place of every run that is told to lie behind a fault.
+  // A place of every run that is told to lie after a fault.
   Marks wrong = marks;
   const auto& [exception, routine] = *run.routes.routines.begin();
   wrong.faults.insert(routine.walked.graph.nodes[0].block);

@@ -17,16 +17,16 @@ using Kind = Passage::Kind;
 /// What the costs of exceptions pay and no way of a routine does. Cortex-M4 TRM 3.9.1 and 7.2.3: seventeen words that
 /// were left to save, and a cycle until the instruction goes on.
 constexpr double kLazyStacking = 18;
-/// In flash the first line of a routine, and that of what goes on behind one: RM0090 table 10.
+/// In flash the first line of a routine, and that of what goes on after one: RM0090 table 10.
 constexpr double kLine = 5;
-constexpr double kMostSkipped = 4;  ///< of an IT block: the emulator charges them with the instruction behind it
+constexpr double kMostSkipped = 4;  ///< of an IT block: the emulator charges them with the instruction after it
 constexpr Cycles kNoEdge = -1;      // the way into a block is not one of the graph's
 
-/// A wait under way: of its rounds the last two are on the way, all others are in its limit.
+/// A wait under way: of its iterations the last two are on the way, all others are in its limit.
 struct OpenWait {
   std::uint32_t header = 0;
-  std::size_t first = 0, again = 0;  ///< nodes of the header in its first and in its second round
-  std::vector<Cycles> begun;         ///< where the rounds on the way began, the last two at most
+  std::size_t first = 0, again = 0;  ///< nodes of the header in its first and in its second iteration
+  std::vector<Cycles> begun;         ///< where the iterations on the way began, the last two at most
 };
 
 /// A place on the way and what led there.
@@ -48,9 +48,9 @@ struct Level {
   const Routine* routine = nullptr;  ///< null: thread mode, or a routine without a bound
   bool is_lost = false;              ///< where it is is not in the graph
   std::size_t node = 0;
-  Cycles way = 0;    ///< static cycles up to the begin of the block
+  Cycles way = 0;    ///< static cycles up to the start of the block
   double own = 0;    ///< emulated cycles since the first instruction
-  double added = 0;  ///< cycles that others pay for: rounds that interrupts add
+  double added = 0;  ///< cycles that others pay for: iterations that interrupts add
   bool has_begun = false;
   bool uses_float = false;
   bool is_high = false;    ///< the peripheral raised it, not software alone
@@ -59,7 +59,7 @@ struct Level {
   unsigned block_disturbed = 0;
   unsigned by_release = 0, by_others = 0;  ///< what has come in between
   std::map<RetriedBy, unsigned> retried;
-  Countdown countdown;  ///< rounds that are left of it
+  Countdown countdown;  ///< iterations that are left of it
   std::vector<Step> steps;
   std::vector<OpenWait> waits;
   std::map<std::uint32_t, OpenBracket> brackets;
@@ -163,7 +163,7 @@ class Follower {
     const std::uint32_t block = level.routine->walked.graph.nodes[node].block;
     if (float_blocks_.count(block) != 0) level.uses_float = true;
     count(level, block);
-    // The rounds that a node stands for follow it at once.
+    // The iterations that a node stands for follow it at once.
     if (level.routine->walked.waits.count(node) != 0) return begin_wait(level, node, block);
     const auto countdown = level.routine->walked.countdowns.find(node);
     if (countdown != level.routine->walked.countdowns.end()) begin_countdown(level, node, countdown->second);
@@ -180,7 +180,7 @@ class Follower {
     }
   }
 
-  /// What a block took is covered by the way into it and by its own cost. The first instruction behind it may be what
+  /// What a block took is covered by the way into it and by its own cost. The first instruction after it may be what
   /// its last one is waited for: a cycle that is the next one's.
   void judge_block(const Level& level) {
     if (level.edge == kNoEdge || level.block_disturbed != level.disturbed()) return;
@@ -210,7 +210,7 @@ class Follower {
     level.countdown = countdown;
   }
 
-  /// One of the rounds that are paid for together.
+  /// One of the iterations that are paid for together.
   static bool turn_countdown(Level& level, std::uint32_t address) {
     const UnrolledNode& node = level.routine->walked.graph.nodes[level.node];
     if (node.block != address || level.countdown.rounds == 0) return false;
@@ -238,7 +238,7 @@ class Follower {
     lose(level, address);
   }
 
-  /// The second round of a wait, which is the last that the graph has.
+  /// The second iteration of a wait, which is the last that the graph has.
   static void note_round(Level& level, std::size_t node, std::uint32_t address, Cycles way) {
     if (level.waits.empty()) return;
     OpenWait& wait = level.waits.back();
@@ -247,7 +247,7 @@ class Follower {
     wait.begun.push_back(way);
   }
 
-  /// One more round of a wait: the oldest is in the limit from now on.
+  /// One more iteration of a wait: the oldest is in the limit from now on.
   bool turn_wait(Level& level, std::uint32_t address, Cycles behind) {
     while (!level.waits.empty() && level.waits.back().header != address) level.waits.pop_back();
     if (level.waits.empty()) return false;

@@ -28,11 +28,11 @@ struct Findings {
   std::uint64_t count = 0;
 
   std::map<unsigned, Followed> routines;       ///< by exception
-  std::map<std::uint32_t, Followed> brackets;  ///< by the mark at the begin
+  std::map<std::uint32_t, Followed> brackets;  ///< by the begin mark
   std::set<std::uint32_t> bounds_passed;       ///< loop_bound marks
   std::map<std::uint32_t, std::uint64_t>
       faults;                 ///< by only_after_fault mark: how often it was passed after the bring-up
-  std::uint64_t retries = 0;  ///< rounds that an interrupt has added
+  std::uint64_t retries = 0;  ///< iterations that an interrupt has added
   std::set<std::pair<unsigned, std::size_t>> nodes;  ///< of the graphs that were passed: by exception
 
   void complain(const std::string& what) {

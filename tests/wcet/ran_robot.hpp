@@ -13,7 +13,7 @@ namespace finemote::test {
 
 class RanRobot {
  public:
-  /// @param words  of the command line behind `run`
+  /// @param words  of the command line after `run`
   explicit RanRobot(std::vector<std::string> words) {
     words.insert(words.begin(), "run");
     words.insert(words.end(), {"--keep", folder_.path()});

@@ -57,7 +57,7 @@ class Recorder {
     std::uint32_t exception = 0;
     bool begun = false;
     bool is_pending = false;         ///< the instruction probed last may not have run
-    std::uint32_t pc = 0, next = 0;  ///< of the instruction probed last, and behind it
+    std::uint32_t pc = 0, next = 0;  ///< of the instruction probed last, and after it
     std::uint64_t done = 0;          ///< instructions of the board when it was probed
   };
 

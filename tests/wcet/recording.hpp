@@ -21,7 +21,7 @@ struct Passage {
   std::uint64_t at = 0;  ///< steps of 1/42 ns since power-on
   std::uint32_t value = 0;
   Kind kind = Kind::block;
-  bool is_tail = false;  ///< begin: directly behind another routine; nothing is resumed in between
+  bool is_tail = false;  ///< begin: directly after another routine; nothing is resumed in between
   bool is_high = false;  ///< begin, block: the peripheral holds the line up
 };
 

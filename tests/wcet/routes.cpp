@@ -41,7 +41,7 @@ Routine routine_of(unsigned exception, Walked walked) {
   return routine;
 }
 
-/// From each mark of a begin to the mark of its end.
+/// From each begin mark to its end mark.
 std::map<std::uint32_t, Cycles> bracket_bounds(const UnrolledGraph& graph, const Marks& marks) {
   std::map<std::uint32_t, std::vector<bool>> nodes;  // by mark
   for (std::size_t node = 0; node < graph.nodes.size(); ++node) {

@@ -12,7 +12,7 @@
 
 namespace finemote::test {
 
-/// A node behind another one.
+/// A node after another one.
 struct Onward {
   std::size_t to = 0;
   gen::wcet::Cycles cost = 0;
@@ -22,11 +22,11 @@ struct Routine {
   unsigned exception = 0;
   gen::wcet::Walked walked;
   gen::wcet::Cycles bound = 0;
-  std::map<std::uint32_t, gen::wcet::Cycles> brackets;  ///< bounds by the mark at the begin
+  std::map<std::uint32_t, gen::wcet::Cycles> brackets;  ///< bounds by the begin mark
   std::vector<std::vector<Onward>> onward;              ///< by node
   std::vector<bool> is_exit;                            ///< by node
 
-  /// The node behind `node` that begins at this address.
+  /// The node after `node` that begins at this address.
   [[nodiscard]] std::optional<Onward> behind(std::size_t node, std::uint32_t address) const;
 };
 

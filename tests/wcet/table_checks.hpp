@@ -30,7 +30,7 @@ std::vector<Decoded> documented_instructions();
 /// Where it differs from documents.hpp; empty: nowhere, and every row of it is held.
 std::vector<std::string> differences_from_documents(const gen::wcet::CostTable& table);
 
-/// Where the core takes longer than the table says: an instruction, or two behind each other.
+/// Where the core takes longer than the table says: an instruction, or two in sequence.
 struct Excess {
   std::size_t compared = 0;
   std::vector<std::string> found;  ///< at most ten in words

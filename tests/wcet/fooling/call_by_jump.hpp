@@ -1,4 +1,4 @@
-// refused: a jump to a function that returns to behind it
+// refused: a jump to a function that returns to after it
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// bounded: what lies in the padding behind a constant union is none
+// bounded: what lies in the padding after a constant union is none
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// bounded: the way behind an exclusive store that an interrupt makes fail, where no loop tries again
+// bounded: the way after an exclusive store that an interrupt makes fail, where no loop tries again
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// bounded: a comparison that an instruction behind it leaves alone
+// bounded: a comparison that an instruction after it leaves alone
 #pragma once
 
 #include <cstdint>

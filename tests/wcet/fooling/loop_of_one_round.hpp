@@ -1,4 +1,4 @@
-// bounded: a loop of one round, which the compiler leaves out: its mark lies in the loop around it, and says nothing
+// bounded: a loop of one iteration that the compiler leaves out: its mark lies in the loop around it and says nothing
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// bounded: an exclusive store fails behind another exclusive access
+// bounded: an exclusive store fails after another exclusive access
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// refused: a loop without a mark around one of one round, whose mark is left
+// refused: a loop without a mark around one of one iteration, whose mark is left
 #pragma once
 
 #include <cstdint>

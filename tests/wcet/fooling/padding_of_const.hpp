@@ -1,4 +1,4 @@
-// bounded: what lies in the padding behind a constant is none
+// bounded: what lies in the padding after a constant is none
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// refused: an object with a const member is made anew behind a raw string that looks like the begin of a comment
+// refused: an object with a const member is made anew after a raw string that looks like the start of a comment
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// refused: a return to somewhat behind where it was called
+// refused: a return to somewhat past where it was called
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// bounded: a number of rounds made of where the stack is: any of six bits
+// bounded: a number of iterations made of where the stack is: any of six bits
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// bounded: a switch leads back to the begins of two loops, which begin apart with their marks
+// bounded: a switch leads back to the starts of two loops, which begin apart with their marks
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// refused: a table behind the place at which another function enters: the comparison is on the way back to it only
+// refused: a table after the place at which another function enters: the comparison is on the way back to it only
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// refused: a wait puts a pointer to a local where nothing was before, and writes through it in the next turn
+// refused: a wait puts a pointer to a local where nothing was before, and writes through it in the next iteration
 #pragma once
 
 #include <cstdint>

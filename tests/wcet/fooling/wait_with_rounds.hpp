@@ -1,4 +1,4 @@
-// bounded: a wait with two marks, in a loop: at most 3 turns, and left after 100 cycles
+// bounded: a wait with two marks, in a loop: at most 3 iterations, and left after 100 cycles
 #pragma once
 
 #include <cstdint>
