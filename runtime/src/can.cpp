@@ -5,6 +5,7 @@
 #include "finemote/mark.hpp"
 #include "finemote/only_after_fault.hpp"
 #include "finemote/raised_by.hpp"
+#include "start.hpp"
 
 namespace finemote {
 
@@ -261,6 +262,10 @@ void CanBus::supervise() {
   const MarkedWork<Work::supervise_can> marked;
   if (!port_->bus_off()) {
     recovering_ = false;
+    if (detail::has_stopped()) {  // it may have cut off whoever had something to send, and not asked for it
+      only_after_fault();
+      port_->pend();
+    }
     // Error passive: nobody acknowledges, and what waits in the mailboxes grows old, for ever on an empty bus. It goes;
     // the next flush sends what holds then.
     if (transmit_errors() <= kErrorPassive) return;

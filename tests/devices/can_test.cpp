@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "finemote/bench/bench.hpp"
+#include "runtime/src/start.hpp"
 
 namespace {
 
@@ -246,4 +247,19 @@ TEST_CASE_METHOD(Fixture, "what is set before the zeros of a recovery have left 
   bus.flush();
   host::advance(1 * kMillisecond);
   CHECK(host::can1.sent.back().frame.data[0] == 1000 >> 8);
+}
+
+TEST_CASE_METHOD(Fixture, "a frame whose request a stop of the robot cut off leaves, and the safe one after it") {
+  struct Stop {};
+  host::can1.when_pended = [] { throw Stop{}; };
+  CHECK_THROWS_AS(one.send(frame(0x140, 1)), Stop);
+  host::can1.when_pended = nullptr;
+  detail::set_stopped(true);
+  CHECK_FALSE(one.send(frame(0x140, 0)));  // the one before still waits
+  bus.supervise();
+  host::advance(1 * kMillisecond);
+  CHECK(one.send(frame(0x140, 0)));
+  host::advance(1 * kMillisecond);
+  REQUIRE(host::can1.sent.size() == 2);
+  CHECK(host::can1.sent[1].frame.data[0] == 0);
 }

@@ -54,6 +54,7 @@ void CanPort::configure(std::int64_t bitrate, CanBus& bus) {
 }
 
 void CanPort::pend() {
+  if (hardware_->when_pended) hardware_->when_pended();
   host::interrupt_at(now(), [wire = hardware_] { wire->bus->on_interrupt(); });
 }
 

@@ -24,6 +24,8 @@ struct CanHardware {
   std::function<void(const CanFrame&)> listener;
   std::vector<Sent> sent;  ///< by the robot, in order
   bool off = false;        ///< the controller has left the bus
+  /// Called whenever the driver pends its interrupt: in the middle of whatever asked for it.
+  std::function<void()> when_pended;
 
   // ---- for the port
   std::vector<CanIds> accepted;
