@@ -1,7 +1,6 @@
 // The port objects of a board on an STM32F4, one file each.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "generator/board_sources/port_objects.hpp"

@@ -1,7 +1,6 @@
 // The port objects of a board: what generated code can name below finemote::ports.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -1,5 +1,4 @@
 // finemote fmt: the <finemote> elements of a file in their canonical layout.
-#include <fmt/format.h>
 
 #include <stdexcept>
 

@@ -8,7 +8,6 @@
 #include "generator/cli/verdict.hpp"
 #include "generator/model/firmware_inputs.hpp"
 #include "generator/output/write.hpp"
-#include "generator/run/project.hpp"
 #include "generator/timing_file/user_code.hpp"
 
 namespace finemote::gen {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string_view>
 
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"

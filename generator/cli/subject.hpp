@@ -1,7 +1,6 @@
 // IN to what the timing analysis is given: the tasks of a robot, or those of a `.json` model.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -6,7 +6,6 @@
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/robot_input.hpp"
-#include "generator/geometry/frame.hpp"
 #include "generator/model/device_frames.hpp"
 #include "generator/units/units.hpp"
 

@@ -10,7 +10,6 @@
 #include "generator/cli/robot_input.hpp"
 #include "generator/image/constants.hpp"
 #include "generator/input/read_document.hpp"
-#include "generator/model/firmware_inputs.hpp"
 #include "generator/run/compiled_files.hpp"
 #include "generator/run/compiler.hpp"
 #include "generator/run/image_owner.hpp"

@@ -1,7 +1,6 @@
 // What the runtime itself takes of the processor on a board: `costs` of a board file.
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 

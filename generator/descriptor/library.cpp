@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "generator/descriptor/check_interfaces.hpp"
 #include "generator/descriptor/file_format.hpp"

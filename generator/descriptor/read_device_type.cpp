@@ -1,7 +1,5 @@
 #include "generator/descriptor/read_device_type.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <tuple>

@@ -3,7 +3,6 @@
 // Of a schema that is none, valijson throws; without this it aborts.
 #define VALIJSON_USE_EXCEPTIONS 1
 
-#include <algorithm>
 #include <cctype>
 #include <exception>
 #include <optional>

@@ -1,7 +1,5 @@
 #include "generator/descriptor/schema_file.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <fstream>
 #include <set>

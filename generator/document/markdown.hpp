@@ -1,7 +1,6 @@
 // Pieces of Markdown that several reference pages share.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,9 +1,6 @@
 #include "generator/emit/render.hpp"
 
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "generator/emit/bus_files.hpp"
 #include "generator/emit/constants.hpp"

@@ -1,7 +1,7 @@
 // The two files of a device tree: its objects, and its sequences of stages.
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <vector>
 
 #include "generator/emit/bounds.hpp"

@@ -1,7 +1,6 @@
 // Values to the C++ that spells them: literals, durations, enumerators.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "generator/model/robot.hpp"

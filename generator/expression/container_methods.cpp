@@ -1,5 +1,4 @@
 // The methods of list, tuple, dict and set.
-#include <fmt/format.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The text of an expression cut into Python's tokens.
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 

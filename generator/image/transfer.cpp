@@ -1,6 +1,6 @@
 #include "generator/image/transfer.hpp"
 
-#include <algorithm>
+#include <cstddef>
 
 namespace finemote::gen {
 namespace {

@@ -1,7 +1,6 @@
 // A rule of lint: a number, what it says in words, and the function that looks for it in one part of a robot.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

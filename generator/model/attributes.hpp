@@ -1,7 +1,6 @@
 // Attributes and texts of tags to values, with the mistake shown under the value.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -1,7 +1,6 @@
 // XML to robot: reads the `<finemote>` blocks of a robot and resolves everything in them.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 

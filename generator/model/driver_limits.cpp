@@ -11,7 +11,6 @@
 #include "generator/descriptor/runtime_limits.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/connection.hpp"
-#include "generator/model/offers.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/model/shared_frame.hpp"
 #include "generator/model/streamed_frames.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "generator/descriptor/cpp_words.hpp"
 #include "generator/diagnostic/printable.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"

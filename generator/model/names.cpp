@@ -1,7 +1,5 @@
 #include "generator/model/names.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "generator/descriptor/cpp_words.hpp"
 #include "generator/model/robot.hpp"
 
 namespace finemote::gen {

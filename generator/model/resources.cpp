@@ -2,7 +2,6 @@
 // FM3206 (a pin that the board needs itself). Whatever names a pin comes through this table.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <set>
+#include <utility>
 
 #include "generator/file/replace_file.hpp"
 #include "generator/output/folder.hpp"

@@ -1,7 +1,7 @@
 #include "generator/report/body.hpp"
 
-#include <algorithm>
 #include <set>
+#include <utility>
 
 #include "generator/geometry/mechanism.hpp"
 #include "generator/model/device_frames.hpp"

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <map>
 #include <set>
-#include <stdexcept>
 
 #include "emulator/scenario/grammar.hpp"
 #include "generator/diagnostic/code_scenario.hpp"

@@ -1,7 +1,6 @@
 // A scenario file to a document that the emulated board can play to its end.
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>

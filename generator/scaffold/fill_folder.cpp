@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
-#include <system_error>
 
 #include "generator/file/installed_file.hpp"
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "generator/diagnostic/code_output.hpp"
 #include "generator/file/replace_file.hpp"
 #include "generator/file/system_reason.hpp"
 

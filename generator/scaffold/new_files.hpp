@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "generator/diagnostic/code_output.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/emit/render.hpp"
 

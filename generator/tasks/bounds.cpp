@@ -1,5 +1,7 @@
 #include "generator/tasks/bounds.hpp"
 
+#include "generator/tasks/from_robot.hpp"
+
 namespace finemote::gen::timing {
 namespace {
 

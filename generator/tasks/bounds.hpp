@@ -1,7 +1,9 @@
 // Robot to what its firmware can be held to: how late every handle() ends, and how old the data behind its command is.
 #pragma once
 
-#include "generator/tasks/from_robot.hpp"
+#include "generator/forest/forest.hpp"
+#include "generator/schedule/schedule.hpp"
+#include "generator/timing/analyse.hpp"
 
 namespace finemote::gen::timing {
 

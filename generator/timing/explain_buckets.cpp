@@ -1,8 +1,6 @@
 // FM4015: why a bucket may run over its period.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/timing/explain.hpp"
 #include "generator/timing/words.hpp"
 

@@ -5,7 +5,6 @@
 
 #include "generator/timing/explain.hpp"
 #include "generator/timing/table.hpp"
-#include "generator/timing/words.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen::timing {

@@ -1,7 +1,5 @@
 #include "generator/timing/lags.hpp"
 
-#include <algorithm>
-
 #include "generator/units/divider.hpp"
 
 namespace finemote::gen::timing {

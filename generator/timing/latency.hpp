@@ -1,7 +1,9 @@
 // Decision latency of every path and tree: the paper's Theorem 3 and its refinements.
 #pragma once
 
-#include "generator/timing/walk.hpp"
+#include "generator/timing/hand_over_store.hpp"
+#include "generator/timing/releases.hpp"
+#include "generator/timing/topology.hpp"
 
 namespace finemote::gen::timing {
 

@@ -1,8 +1,11 @@
 // Model to the results of one profile.
 #pragma once
 
+#include <memory>
+
+#include "generator/timing/hand_over_store.hpp"
 #include "generator/timing/releases.hpp"
-#include "generator/timing/walk.hpp"
+#include "generator/timing/topology.hpp"
 
 namespace finemote::gen::timing {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include "generator/output/manifest.hpp"

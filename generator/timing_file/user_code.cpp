@@ -1,6 +1,5 @@
 #include "generator/timing_file/user_code.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <utility>

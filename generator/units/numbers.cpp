@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "generator/units/physical.hpp"
 #include "generator/units/scan.hpp"

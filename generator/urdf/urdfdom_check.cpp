@@ -1,7 +1,6 @@
 #include "generator/urdf/urdfdom_check.hpp"
 
 #include <console_bridge/console.h>
-#include <fmt/format.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>

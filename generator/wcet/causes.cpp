@@ -1,6 +1,5 @@
 #include "generator/wcet/causes.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "generator/wcet/proven_bound.hpp"

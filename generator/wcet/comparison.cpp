@@ -1,6 +1,6 @@
 #include "generator/wcet/comparison.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace finemote::gen::wcet {
 namespace {

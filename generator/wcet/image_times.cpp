@@ -6,7 +6,6 @@
 #include <set>
 
 #include "generator/image/double_arithmetic.hpp"
-#include "generator/image/exception.hpp"
 #include "generator/wcet/certificate.hpp"
 #include "generator/wcet/events.hpp"
 #include "generator/wcet/fpu_use.hpp"

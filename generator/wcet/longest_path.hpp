@@ -1,8 +1,7 @@
 // The longest ways through an unrolled graph, and the proof that none is longer.
 #pragma once
 
-#include <cstdint>
-#include <map>
+#include <cstddef>
 #include <optional>
 #include <vector>
 

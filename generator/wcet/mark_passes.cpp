@@ -1,7 +1,5 @@
 #include "generator/wcet/mark_passes.hpp"
 
-#include <optional>
-
 #include "generator/wcet/loop_marks.hpp"
 
 namespace finemote::gen::wcet {

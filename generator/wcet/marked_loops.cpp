@@ -1,7 +1,6 @@
 #include "generator/wcet/marked_loops.hpp"
 
 #include <set>
-#include <utility>
 
 #include "generator/image/program.hpp"
 #include "generator/wcet/loop_marks.hpp"

@@ -1,7 +1,6 @@
 #include "generator/wcet/memory_map.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace finemote::gen::wcet {
 namespace {

@@ -1,7 +1,6 @@
 #include "generator/wcet/repetition.hpp"
 
 #include <algorithm>
-#include <set>
 #include <vector>
 
 #include "generator/wcet/operands.hpp"

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <utility>
 
 #include "generator/wcet/countdown.hpp"
 #include "generator/wcet/exclusive_stores.hpp"

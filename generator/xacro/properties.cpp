@@ -1,7 +1,5 @@
 #include "generator/xacro/properties.hpp"
 
-#include <fmt/format.h>
-
 #include "generator/xacro/block.hpp"
 #include "generator/xacro/tag.hpp"
 

@@ -12,6 +12,7 @@
 #include "errors/pipeline.hpp"
 #include "generated/batch.hpp"
 #include "generated/compiler.hpp"
+#include "generator/descriptor/cpp_words.hpp"
 #include "generator/model/names.hpp"
 
 using namespace finemote;

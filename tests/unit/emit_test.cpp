@@ -10,6 +10,7 @@
 #include "generator/emit/scope.hpp"
 #include "generator/emit/template.hpp"
 #include "generator/emit/value.hpp"
+#include "generator/tasks/from_robot.hpp"
 #include "source_dir.hpp"
 #include "unit/robot_plan.hpp"
 
