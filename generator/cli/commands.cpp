@@ -305,7 +305,7 @@ std::vector<Command> commands_of_analyses() {
       {"tree", "show the device trees and the order they run in", join({robot(), sandbox()}), run_tree,
        arguments_footer},
       {"graph", "draw the device trees with buses, types and periods", options_of_graph(), run_graph, arguments_footer},
-      {"analyze", "schedulability, response times, latency of every chain", options_of_analyze(), run_analyze,
+      {"analyze", "schedulability, response times, latency of chains", options_of_analyze(), run_analyze,
        arguments_footer},
       {"simulate", "run the schedule with random execution times beside its bounds", options_of_simulate(),
        run_simulate, arguments_footer},

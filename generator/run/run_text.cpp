@@ -293,11 +293,11 @@ void print_run(const RunResult& result, const std::vector<std::string>& failures
                        fmt::join(assumptions_of(result.record.violated), ", "));
   print_expectations(result, out);
   print_wcets(result, out);
-  for (const std::string& device : result.record.silent)
+  if (!result.record.silent.empty())
     out << fmt::format(
-        "\nnote: the emulated board has no model of '{}', so it never answers: 'emulation' in its descriptor can name "
-        "one\n",
-        device);
+        "\nnote: parts without a model on the emulated board never answer: {} ('emulation' in a descriptor names "
+        "one)\n",
+        fmt::join(result.record.silent, ", "));
   print_unjudged(result, out);
 }
 

@@ -96,7 +96,7 @@ class Evaluation {
 /// The assumed figures as what they become when they are written down: a budget to keep.
 std::string wcet_hint(const Device& device) {
   return fmt::format(
-      "<wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> at '{}' if it keeps to that; finemote run prints "
+      "<wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> at '{}' if it never takes longer; finemote run prints "
       "the element with source=\"measured\"",
       units::format_duration(device.update_wcet), units::format_duration(device.handle_wcet), device.name);
 }

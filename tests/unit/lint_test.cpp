@@ -113,6 +113,29 @@ TEST_CASE("a bus above its load, by the figures of the timing analysis") {
   CHECK(Linted(text, options).said.empty());
 }
 
+TEST_CASE("an overload of the same line is that of another bus where it came through another macro call") {
+  const std::string text =
+      kPwm + "<device name=\"a\" type=\"pwm_esc\" bus=\"pwm\" channel=\"0\" period=\"5ms\">" + kWcet + "</device>\n";
+  Linted robot(text);
+  LintOptions options;
+  options.bus_load = {0.81};
+  Diagnostic overload;
+  overload.code = code::timing_bus_overload;
+  overload.at = (*robot.robot->buses.begin()).at;
+  overload.message = "bus 'i2c' is overloaded";
+  options.overloads.push_back(overload);
+  const auto says = [&](const char* words) {
+    Diagnostics diagnostics;
+    lint(*robot.robot, options, diagnostics);
+    return render_text(diagnostics, false).find(words) != std::string::npos;
+  };
+  CHECK(says("bus 'i2c' is overloaded"));
+  CHECK_FALSE(says("bus 'i2c' is busy"));
+  const Expansion other;
+  options.overloads.front().at.via = &other;
+  CHECK(says("bus 'i2c' is busy for 81 % of the time"));
+}
+
 TEST_CASE("a bus nobody uses is found and removed, line and all") {
   const std::string device = "<device name=\"a\" type=\"sim_load\" period=\"10ms\">" + kWcet + "</device>\n";
   const Linted robot("  <bus name=\"spare\" type=\"uart\" port=\"usart6\" baud=\"115200baud\"/>\n" + device);

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 191925, finemote::kNothingToBound, nullptr},  // imu
-    {0, 185683, 29102384, &gimbal::yaw.command},  // yaw
-    {0, 178309, 29095010, &gimbal::pitch.command},  // pitch
-    {1, 240880, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 309217, 27225818, &chassis::front_left.command},  // front_left
-    {2, 302100, 27218701, &chassis::front_right.command},  // front_right
-    {2, 294910, 27211511, &chassis::rear_left.command},  // rear_left
-    {2, 287793, 27204394, &chassis::rear_right.command},  // rear_right
-    {2, 280670, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 397445, finemote::kNothingToBound, nullptr},  // remote
+    {0, 192211, finemote::kNothingToBound, nullptr},  // imu
+    {0, 185969, 29102670, &gimbal::yaw.command},  // yaw
+    {0, 178595, 29095296, &gimbal::pitch.command},  // pitch
+    {1, 241166, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 309503, 27226104, &chassis::front_left.command},  // front_left
+    {2, 302386, 27218987, &chassis::front_right.command},  // front_right
+    {2, 295196, 27211797, &chassis::rear_left.command},  // rear_left
+    {2, 288079, 27204680, &chassis::rear_right.command},  // rear_right
+    {2, 280956, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 397731, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

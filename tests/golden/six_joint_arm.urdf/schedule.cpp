@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 406786, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 249470, 29410518, &arm::base.command},  // base
-    {0, 242353, 29403401, &arm::shoulder.command},  // shoulder
-    {0, 217474, 29378522, &arm::elbow.command},  // elbow
-    {0, 210357, 29371405, &arm::wrist_roll.command},  // wrist_roll
-    {0, 203234, 29364282, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 190495, 29351543, &arm::flange.command},  // flange
-    {0, 183372, finemote::kNothingToBound, nullptr},  // arm
+    {1, 407071, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 249755, 29410803, &arm::base.command},  // base
+    {0, 242638, 29403686, &arm::shoulder.command},  // shoulder
+    {0, 217759, 29378807, &arm::elbow.command},  // elbow
+    {0, 210642, 29371690, &arm::wrist_roll.command},  // wrist_roll
+    {0, 203519, 29364567, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 190780, 29351828, &arm::flange.command},  // flange
+    {0, 183657, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace
