@@ -12,24 +12,18 @@ class CanListener : public Element {
   CanListener(Outfit& outfit, const Json& part, const std::string& name) : Element(outfit, name) {
     Can* can = outfit.board().chip().can(need<std::string>(part, "port"));
     if (can == nullptr) refuse(part, "the board has no such CAN port");
-    can->line.attach({{}, {}, [this](const CanFrame&) { ++frames_; }});
+    can->line.attach({});
   }
-  [[nodiscard]] double frames() const { return static_cast<double>(frames_); }
-
- private:
-  std::uint64_t frames_ = 0;
 };
 
 }  // namespace
 
 Model can_listener() {
-  using Row = Rows<CanListener>;
   return {
       .type = "can_listener",
       .summary = "acknowledges every frame and sends none; `run` places one for every device on CAN without a model",
       .figures = {required(port("can"))},
-      .values = {Row::value("frames", "", "received so far", [](CanListener& part) { return part.frames(); })},
-      .make = Row::make,
+      .make = Rows<CanListener>::make,
   };
 }
 

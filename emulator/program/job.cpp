@@ -29,18 +29,28 @@ bool has_begun_a_stage(Board& board) {
   return std::any_of(events.begin(), events.end(), [](const BracketEvent& e) { return e.bracket < kFirstWork; });
 }
 
-/// Runs until the first stage has begun; returns the time since power-on at which the trace counts 0. `fault_ns` is
-/// when a fault was first seen, not more than a step late; null: none.
-std::optional<std::int64_t> wait_for_first_release(Board& board, const Image& image, Json& fault_ns) {
+/// How the start of a firmware went.
+struct Start {
+  std::optional<std::int64_t> zero;  ///< time since power-on at which the trace counts 0; none: no stage has begun
+  Stop stop = Stop::time;            ///< why there is none
+  Json fault_ns;                     ///< when a fault was first seen, not more than a step late; null: none
+};
+
+/// Runs until the first stage has begun.
+Start wait_for_first_release(Board& board, const Image& image) {
+  Start start;
+  Json& fault_ns = start.fault_ns;
   while (board.now_ns() < kLongestStart) {
-    if (board.run_for(kStep) != Stop::time) return std::nullopt;
+    start.stop = board.run_for(kStep);
+    if (start.stop != Stop::time) return start;
     if (fault_ns.is_null() && !faults_of(board, image).empty()) fault_ns = board.now_ns();
     if (!has_begun_a_stage(board)) continue;
     auto& world = board.world();
     const std::int64_t cycles = world.system().read(kCycleCounter, 4, world.now(), 0);
-    return static_cast<std::int64_t>(board.now_ns()) - cycles_to_ns(cycles);
+    start.zero = static_cast<std::int64_t>(board.now_ns()) - cycles_to_ns(cycles);
+    return start;
   }
-  return std::nullopt;
+  return start;
 }
 
 const char* text_of(Stop stop) {
@@ -79,13 +89,12 @@ struct Awaited {
 struct BringUp {
   std::int64_t end_ns = 0;
   Json absent = Json::array();
-  Json faults;  ///< counted so far
+  Json faults;             ///< counted so far
+  Stop stop = Stop::time;  ///< why it ended early
 };
 
 /// Runs until every awaited part has been seen, no shorter and no longer than the job says.
-/// @return nothing when the board stopped
-std::optional<BringUp> bring_up(Board& board, const Image& image, const Outfit& outfit, const Json& job,
-                                std::int64_t zero) {
+BringUp bring_up(Board& board, const Image& image, const Outfit& outfit, const Json& job, std::int64_t zero) {
   std::vector<Awaited> awaited;
   for (const Json& entry : job.at("await"))
     awaited.push_back({entry.at("part"), entry.at("output") ? PartEvent::Kind::output : PartEvent::Kind::sample});
@@ -96,10 +105,9 @@ std::optional<BringUp> bring_up(Board& board, const Image& image, const Outfit& 
   };
   const auto is_before = [&](std::int64_t time) { return static_cast<std::int64_t>(board.now_ns()) < time; };
   constexpr std::uint64_t kLook = 200'000;  // ns: what is counted in the last of them is the bring-up's
-  while (is_before(zero + least) || (!all_seen() && is_before(last))) {
-    if (board.run_for(kLook) != Stop::time) return std::nullopt;
-  }
   BringUp result;
+  while (result.stop == Stop::time && (is_before(zero + least) || (!all_seen() && is_before(last))))
+    result.stop = board.run_for(kLook);
   result.end_ns = least;
   result.faults = faults_of(board, image);
   for (const Awaited& a : awaited) {
@@ -256,8 +264,7 @@ std::int64_t first_release_ns(const Json& job) {
   parts.erase("events");
   parts.erase("expect");
   start.outfit.add(parts);
-  Json fault_ns;
-  return wait_for_first_release(start.board, start.image, fault_ns).value_or(0);
+  return wait_for_first_release(start.board, start.image).zero.value_or(0);
 }
 
 /// Null where there is no time.
@@ -322,53 +329,50 @@ Json run(Bench& bench, const Json& job) {
     audit.emplace(board, image, job.at("audit").get<Numbers>(), job.value("works", Numbers()));
   }
   const ForgottenOverruns overruns(board, image, outfit);
-  Json fault_ns, undisturbed;
-  const auto zero = wait_for_first_release(board, image, fault_ns);
-  const auto ready = zero ? bring_up(board, image, outfit, job, *zero) : std::nullopt;
-  const std::int64_t judged_to = std::max((ready ? ready->end_ns : 0) + job.at("duration_ns").get<std::int64_t>(),
-                                          job.at("last_event_ns").get<std::int64_t>());
-  Stop stop = Stop::time;
-  std::optional<ValueSeries> series;
-  std::optional<TrafficCount> traffic;
-  if (ready) {
-    const std::int64_t end = *zero + judged_to + 1;  // what is due at the last moment happens
-    series.emplace(board, outfit, static_cast<std::int64_t>(board.now_ns()), end);
-    traffic.emplace(board, job.at("ports").get<std::vector<std::string>>());
-    stop = run_to_end(bench, *zero + ready->end_ns, end, *traffic, undisturbed);
-  }
-  if (!ready) {
-    return {{"stop", text_of(stop)},
+  const Start start = wait_for_first_release(board, image);
+  if (!start.zero) {
+    return {{"stop", text_of(start.stop)},
             {"reports", reports_of(board)},
             {"fault_counts", faults_of(board, image)},
-            {"fault_ns", fault_ns}};
+            {"fault_ns", start.fault_ns}};
   }
+  const std::int64_t zero = *start.zero;
+  const BringUp ready = bring_up(board, image, outfit, job, zero);
+  const std::int64_t judged_to =
+      std::max(ready.end_ns + job.at("duration_ns").get<std::int64_t>(), job.at("last_event_ns").get<std::int64_t>());
+  const std::int64_t end = zero + judged_to + 1;  // what is due at the last moment happens
+  ValueSeries series(board, outfit, static_cast<std::int64_t>(board.now_ns()), end);
+  const TrafficCount traffic(board, job.at("ports").get<std::vector<std::string>>());
+  Json undisturbed;
+  const Stop stop =
+      ready.stop != Stop::time ? ready.stop : run_to_end(bench, zero + ready.end_ns, end, traffic, undisturbed);
   return {{"stop", stop == Stop::time ? Json() : Json(text_of(stop))},
           {"reports", reports_of(board)},
           {"resets", board.resets() - outfit.scripted_resets()},
           {"scripted_resets", outfit.scripted_resets()},
           {"overruns", overruns.in_all()},
           {"violated", violated_in(outfit)},
-          {"violated_from_ns", since_zero(outfit.violated_from_ns(), *zero)},
+          {"violated_from_ns", since_zero(outfit.violated_from_ns(), zero)},
           {"undisturbed", undisturbed},
           {"fault_counts", faults_of(board, image)},
-          {"first_release_ns", *zero},
-          {"ready_ns", ready->end_ns},
-          {"faults_at_ready", ready->faults},
-          {"absent", ready->absent},
-          {"stages", stages_of(board, *zero, judged_to)},
-          {"parts", parts_of(outfit, *zero)},
-          {"uses", uses_of(outfit, *zero)},
+          {"first_release_ns", zero},
+          {"ready_ns", ready.end_ns},
+          {"faults_at_ready", ready.faults},
+          {"absent", ready.absent},
+          {"stages", stages_of(board, zero, judged_to)},
+          {"parts", parts_of(outfit, zero)},
+          {"uses", uses_of(outfit, zero)},
           {"handed_over", handed_over_in(board)},
           {"expectations", expectations_of(outfit)},
-          {"series", series->document(*zero)},
+          {"series", series.document(zero)},
           {"buses", buses_of(board, job.at("ports"))},
-          {"traffic", traffic->document()},
+          {"traffic", traffic.document()},
           {"own_stages", own_times_of(board.own_times().brackets(), 0, kFirstWork)},
           {"own_works", own_times_of(board.own_times().brackets(), kFirstWork, kNoBracket)},
           {"own_exceptions", own_times_of(board.own_times().exceptions(), 0, kNoBracket)},
           {"loop_passes", loop_counts_of(board, job)},
           {"monitor", monitor_of(board, image)},
-          {"audit", audit ? audit->events(*zero) : Json()}};
+          {"audit", audit ? audit->events(zero) : Json()}};
 }
 
 }  // namespace

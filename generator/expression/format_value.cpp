@@ -18,7 +18,7 @@ namespace finemote::gen::expression {
 namespace {
 
 struct Specification {
-  std::string fill = " ";
+  std::string fill;  ///< empty: not given
   char align = '\0';
   char sign = '-';
   bool alternate = false;
@@ -28,6 +28,16 @@ struct Specification {
   std::optional<std::size_t> precision;
   char type = '\0';
 };
+
+/// A 0 before the width fills with zeros where no other fill is given.
+std::string fill_of(const Specification& s) { return !s.fill.empty() ? s.fill : s.zero ? "0" : " "; }
+
+void check_grouping(const Specification& s, const Value& value) {
+  const char type = s.type == '\0' && value.text() != nullptr ? 's' : s.type;
+  const std::string_view types = s.grouping == '_' ? "defgEG%FboxX" : "defgEG%F";
+  if (s.grouping == '\0' || type == '\0' || types.find(type) != std::string_view::npos) return;
+  fail_eval(fmt::format("Cannot specify '{}' with '{}'.", s.grouping, type));
+}
 
 bool is_align(char c) { return c == '<' || c == '>' || c == '^' || c == '='; }
 
@@ -59,6 +69,7 @@ Specification parse_specification(std::string_view text, const Value& value) {
   if (at < text.size()) {
     fail_eval(fmt::format("Invalid format specifier '{}' for object of type '{}'", text, type_name(value)));
   }
+  check_grouping(s, value);
   return s;
 }
 
@@ -69,7 +80,8 @@ Specification parse_specification(std::string_view text, const Value& value) {
 /// The digits before a point, an exponent or a sign `%`, in groups of `every`, and what follows them. Zeros go before
 /// them, in groups as well, until there are `width` characters: one more where a separator would come first.
 std::string grouped(const std::string& digits, char separator, std::size_t every, std::size_t width) {
-  const auto end = std::min(digits.find_first_not_of("0123456789abcdefABCDEF"), digits.size());
+  const std::string_view digit = every == 3 ? "0123456789" : "0123456789abcdefABCDEF";
+  const auto end = std::min(digits.find_first_not_of(digit), digits.size());
   if (end == 0) return digits;  // inf, nan
   const std::size_t rest = digits.size() - end;
   std::size_t count = end;
@@ -86,17 +98,13 @@ std::string grouped(const std::string& digits, char separator, std::size_t every
 std::string laid_out_number(const Specification& s, bool negative, std::string lead, std::string digits,
                             std::size_t every = 3) {
   lead.insert(0, negative ? "-" : s.sign == '+' ? "+" : s.sign == ' ' ? " " : "");
-  const bool zeros = (s.zero && s.align == '\0') || (s.align == '=' && s.fill == "0");
-  if (s.grouping != '\0') {
-    const std::size_t width = zeros && s.width > lead.size() ? s.width - lead.size() : 0;
-    digits = grouped(digits, s.grouping, every, width);
-  }
-  if (zeros) return pad_with_zeros(lead, digits, s.width);
-  if (s.align == '=') {
-    const std::size_t rest = s.width > lead.size() ? s.width - lead.size() : 0;
-    return lead + pad(std::move(digits), rest, '>', s.fill);
-  }
-  return pad(lead + digits, s.width, s.align == '\0' ? '>' : s.align, s.zero && s.fill == " " ? "0" : s.fill);
+  const char align = s.align != '\0' ? s.align : s.zero ? '=' : '>';
+  const std::string fill = fill_of(s);
+  const std::size_t rest = s.width > lead.size() ? s.width - lead.size() : 0;
+  const bool zeros = align == '=' && fill == "0";
+  if (s.grouping != '\0') digits = grouped(digits, s.grouping, every, zeros ? rest : 0);
+  if (align != '=') return pad(lead + digits, s.width, align, fill);
+  return lead + pad(std::move(digits), rest, '>', fill);
 }
 
 std::string format_real(const Specification& s, const Value& value, double d) {
@@ -134,7 +142,7 @@ std::string format_real(const Specification& s, const Value& value, double d) {
 std::string format_integer(const Specification& s, const Value& value, const Integer& i) {
   const char type = s.type == '\0' || s.type == 'n' ? 'd' : s.type;
   if (std::string_view("eEfFgG%").find(type) != std::string_view::npos) return format_real(s, value, i.to_double());
-  if (type == 'c') return pad(character_of(i), s.width, '<', s.fill);
+  if (type == 'c') return pad(character_of(i), s.width, s.align == '<' || s.align == '^' ? s.align : '>', fill_of(s));
   if (std::string_view("dxXob").find(type) == std::string_view::npos) fail_type(type, value);
   if (s.precision) fail_eval("Precision not allowed in integer format specifier");
   const std::string digits = integer_digits(i, type);
@@ -146,7 +154,7 @@ std::string format_text(const Specification& s, const Value& value, std::string 
   if (s.type != '\0' && s.type != 's') fail_type(s.type, value);
   if (s.align == '=') fail_eval("'=' alignment not allowed in string format specifier");
   text = shortened(std::move(text), s.precision);
-  return pad(std::move(text), s.width, s.align == '\0' ? '<' : s.align, s.zero && s.fill == " " ? "0" : s.fill);
+  return pad(std::move(text), s.width, s.align == '\0' ? '<' : s.align, fill_of(s));
 }
 
 }  // namespace

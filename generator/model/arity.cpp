@@ -128,9 +128,11 @@ std::string readable_devices(const Reading& reading, DeviceId reader, const Role
   std::string list;
   for (const DeviceId i : robot.devices.ids()) {
     const Device& device = robot.devices[i];
-    const bool fits =
-        device.parent && device.type != nullptr && !device.type->actuator && satisfies(*device.type, role);
-    if (!fits || is_descendant(robot, reader, i) || is_descendant(robot, i, reader)) continue;
+    const bool fits = device.parent && device.type != nullptr && device.type->roles.empty() && !device.type->actuator &&
+                      satisfies(*device.type, role);
+    const bool is_read = std::any_of(robot.devices[reader].reads.begin(), robot.devices[reader].reads.end(),
+                                     [&](const Read& read) { return read.device == i; });
+    if (!fits || is_read || is_descendant(robot, reader, i) || is_descendant(robot, i, reader)) continue;
     list +=
         fmt::format("{}<reads device=\"{}\" role=\"{}\"/>", list.empty() ? "" : " or ", device.name.text, role.name);
   }

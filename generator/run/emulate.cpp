@@ -98,10 +98,9 @@ std::string when_at_start(const Json& record) {
                      units::format_duration(round_up(time_of(fault), milliseconds(1))));
 }
 
-void report_stop(const Json& record, const FaultTable& table, Diagnostics& diagnostics) {
+/// The processor no longer runs.
+void report_end(const Json& record, const FaultTable& table, Diagnostics& diagnostics) {
   const std::vector<FaultCount> faults = faults_of(record);
-  if (const FaultCount* stop = stopping_fault(table, faults, false))
-    return report_safe_stop(table, faults, *stop, when_at_start(record), diagnostics);
   auto& finding = diagnostics.error(code::firmware_stopped, {},
                                     fmt::format("the firmware {}", record.at("stop").get<std::string>()));
   for (const FaultCount& fault : faults) finding.note("it counted: " + fault_text(table, fault));
@@ -111,8 +110,16 @@ void report_stop(const Json& record, const FaultTable& table, Diagnostics& diagn
   }
 }
 
-/// Why a firmware that came to its first release runs no longer, FM6002; empty: it does. One that a scenario may have
-/// stopped is left alone.
+/// A firmware that did not come to its first release.
+void report_stop_at_start(const Json& record, const FaultTable& table, Diagnostics& diagnostics) {
+  const std::vector<FaultCount> faults = faults_of(record);
+  if (const FaultCount* stop = stopping_fault(table, faults, false))
+    return report_safe_stop(table, faults, *stop, when_at_start(record), diagnostics);
+  report_end(record, table, diagnostics);
+}
+
+/// Why a firmware that came to its first release runs no longer, FM6002; empty: it does. A safe stop that a scenario
+/// may have caused is left alone.
 std::vector<Diagnostic> why_stopped(const Json& record, const Robot& robot, const FaultTable& table) {
   Diagnostics said;
   const std::vector<FaultCount> faults = undisturbed_faults_of(record);
@@ -122,7 +129,7 @@ std::vector<Diagnostic> why_stopped(const Json& record, const Robot& robot, cons
     report_safe_stop(table, faults, *stop, fmt::format("after its last stage at {}", units::format_duration(last)),
                      said);
   } else if (!record.at("stop").is_null()) {
-    report_stop(record, table, said);
+    report_end(record, table, said);
   }
   return said.in_file_order();
 }
@@ -228,7 +235,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   const Json json = run_job(job, image, longest_bring_up(robot) + std::max(duration, last_event), diagnostics);
   if (json.is_null()) return std::nullopt;
   if (!json.contains("ready_ns")) {
-    report_stop(json, options.faults, diagnostics);
+    report_stop_at_start(json, options.faults, diagnostics);
     return std::nullopt;
   }
   warn_of_misuse(json, diagnostics);

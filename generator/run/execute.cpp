@@ -74,6 +74,10 @@ std::optional<RunRecord> execute(const std::string& program, const Board& board,
     }
     Diagnostics said;
     report_safe_stop(faults, record->faults, *stop, "at " + units::format_duration(*record->stopped_at), said);
+    if (record->events.empty()) {
+      for (const Diagnostic& finding : said.in_file_order()) diagnostics.add(finding);
+      return std::nullopt;
+    }
     record->stopped = said.in_file_order();
   }
   if (!record) diagnostics.error(code::broken_record, {}, "cannot read the record printed by the firmware");

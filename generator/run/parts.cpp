@@ -232,11 +232,21 @@ Json device_part(const Robot& robot, DeviceId id, const std::string& body, const
   return part;
 }
 
+/// A name that no device has.
+std::string free_name(const Robot& robot, std::string name) {
+  const auto is_taken = [&] {
+    return std::any_of(robot.devices.begin(), robot.devices.end(),
+                       [&](const Device& device) { return device.name.text == name; });
+  };
+  while (is_taken()) name += '_';
+  return name;
+}
+
 /// Of a device without a model: on CAN a node that acknowledges what is sent to it, or the controller would repeat it
 /// for ever; null elsewhere.
 Json stand_in(const Robot& robot, const Device& device) {
   if (!type_of(robot, *device.segment).is_arbitrated) return {};
-  Json part{{"type", "can_listener"}, {"name", device.name.text + ".node"}};
+  Json part{{"type", "can_listener"}, {"name", free_name(robot, device.name.text + ".node")}};
   add_place(robot, *device.segment, part);
   return part;
 }

@@ -40,6 +40,7 @@ Responses responses(const RunRecord& record, const std::vector<StageRun>& runs, 
     const Duration release = releases.take(run.begin);
     if (run.begin >= record.ready) all.seen.push_back(record.true_time(run.end - release));
   }
+  if (!record.stopped.empty()) return all;  // no later release comes
   const Duration end = record.ready + record.judged_for;
   const auto next = releases.next();
   if (next && end > record.ready && end > *next) all.open = record.true_time(end - *next);

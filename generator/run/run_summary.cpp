@@ -13,10 +13,12 @@ void print_bounds(const RunResult& result, std::ostream& out) {
   const RunResult::BoundCount count = result.count_bounds();
   if (count.broken > 0)
     out << fmt::format("ABOVE THEIR BOUNDS: {} of {} measured values\n", count.broken, count.judged);
-  else if (count.judged > 0)
+  else if (!result.bounds_hold())
+    out << "ABOVE THEIR BOUNDS by the monitor in the firmware\n";
+  else if (count.judged > count.excused)
     out << fmt::format("every bound that counts was held, by {} measured values\n", count.judged - count.excused);
   else if (result.must_judge)
-    out << "nothing was judged: no figure has both a bound and a sample\n";
+    out << "nothing was judged: no figure has both a bound that counts and a sample\n";
   if (count.excused > 0)
     out << fmt::format("{} more {} above bounds that do not count: the scenario violated their assumption\n",
                        count.excused, count.excused == 1 ? "value is" : "values are");

@@ -114,6 +114,7 @@ void print_tightest(const RunResult& result, std::size_t width, std::ostream& ou
 }
 
 void print_chains(const RunResult& result, bool is_verbose, std::ostream& out) {
+  if (result.figures.chains.empty()) return;
   out << "\nage of the data behind a command, us: sample (acquire) update (decide) handle (wire) output\n";
   const std::size_t width = chain_width(result);
   out << fmt::format("  {:<{}} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}\n", "chain", width, "part", "samples",

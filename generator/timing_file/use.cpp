@@ -37,7 +37,7 @@ void take_bounds(const StageBounds& bounds, Wcet& wcet) {
 /// Figures of a stale file are the best guess there is, and no more.
 void take_guess(const StageBounds& bounds, Wcet& wcet) {
   if (wcet.source != Wcet::Source::assumed) return;
-  wcet.is_of_stale_file = true;
+  wcet.is_of_stale_file = bounds.update && bounds.handle;
   wcet.update = bounds.update.value_or(wcet.update);
   wcet.handle = bounds.handle.value_or(wcet.handle);
   if (bounds.update) wcet.per_frame = Duration::zero();

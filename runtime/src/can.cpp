@@ -262,16 +262,16 @@ void CanBus::supervise() {
   const MarkedWork<Work::supervise_can> marked;
   if (!port_->bus_off()) {
     recovering_ = false;
-    if (detail::has_stopped()) {  // it may have cut off whoever had something to send, and not asked for it
-      only_after_fault();
-      port_->pend();
-    }
     // Error passive: nobody acknowledges, and what waits in the mailboxes grows old, for ever on an empty bus. It goes;
     // the next flush sends what holds then.
-    if (transmit_errors() <= kErrorPassive) return;
+    if (transmit_errors() > kErrorPassive) {
+      only_after_fault();
+      counters_.errors += port_->unsent();
+      port_->abort();
+    }
+    if (!detail::has_stopped()) return;  // else it may have cut off whoever had something to send, and not asked for it
     only_after_fault();
-    counters_.errors += port_->unsent();
-    return port_->abort();
+    return port_->pend();
   }
   only_after_fault();
   const Time at = now();
