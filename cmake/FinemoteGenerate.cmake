@@ -109,7 +109,7 @@ function(finemote_use_committed target words folder result)
   add_custom_target(${target}-generate COMMAND ${program} generate ${words} -o ${folder} VERBATIM)
   add_test(NAME ${target}-check COMMAND ${program} check ${words} -o ${folder})
   add_custom_target(${target}-fresh COMMAND ${CMAKE_COMMAND} -DPROGRAM=${program} "-DWORDS=${words}" -DFOLDER=${folder}
-                    -P ${FINEMOTE_ROOT}/cmake/scripts/fresh.cmake VERBATIM COMMENT "Holding ${folder} to the robot")
+                    -P ${FINEMOTE_ROOT}/cmake/scripts/fresh.cmake VERBATIM COMMENT "Checking that ${folder} is what the robot gives")
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
 
@@ -137,7 +137,7 @@ function(finemote_hold_to_timing_file target words)
                      COMMAND ${CMAKE_COMMAND} -DPROGRAM=${program} "-DWORDS=${words}" -DIMAGE=$<TARGET_FILE:${target}>
                              -DTIMES=${times} -DBOUNDS=${CMAKE_CURRENT_BINARY_DIR}/${target}.wcet.json
                              -P ${FINEMOTE_ROOT}/cmake/scripts/times.cmake
-                     COMMENT "Holding ${target} to its timing file" VERBATIM)
+                     COMMENT "Checking ${target} against its timing file" VERBATIM)
   if(EXISTS ${times})
     set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${times})
   endif()

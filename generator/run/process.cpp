@@ -82,18 +82,18 @@ class StopRequests {
   _exit(write(failed, "", 1) == 1 ? EXIT_FAILURE : EXIT_SUCCESS);
 }
 
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 
 /// At least 0, at most what poll() takes [ms].
-int milliseconds_until(Clock::time_point end) {
-  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+int milliseconds_until(SteadyClock::time_point end) {
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - SteadyClock::now()).count();
   return static_cast<int>(std::clamp<std::int64_t>(left, 0, INT_MAX));
 }
 
 enum class End : std::uint8_t { by_itself, timed_out, stopped };
 
 /// Collects output until the pipe closes, the time is over, or this process is asked to stop.
-End collect(int pipe, int stop, Clock::time_point end, std::string& output) {
+End collect(int pipe, int stop, SteadyClock::time_point end, std::string& output) {
   std::array<char, 65536> chunk{};
   for (;;) {
     const int left = milliseconds_until(end);
@@ -111,7 +111,7 @@ End collect(int pipe, int stop, Clock::time_point end, std::string& output) {
 
 /// Waits until the child has ended, the time is over, or this process is asked to stop: a child may close its output
 /// long before it ends.
-End await(pid_t child, int stop, Clock::time_point end, int& status) {
+End await(pid_t child, int stop, SteadyClock::time_point end, int& status) {
   constexpr int kLongestPause = 50;  // ms
   for (int pause = 1;; pause = std::min(2 * pause, kLongestPause)) {
     const pid_t ended = waitpid(child, &status, WNOHANG);
@@ -151,7 +151,7 @@ ProcessResult run_process(const std::vector<std::string>& command, std::chrono::
 
   ProcessResult result;
   int status = 0;
-  const Clock::time_point latest = Clock::now() + limit;
+  const SteadyClock::time_point latest = SteadyClock::now() + limit;
   End end = collect(pipes[0], stop.file(), latest, result.output);
   if (end == End::by_itself) end = await(child, stop.file(), latest, status);
   if (end != End::by_itself) status = killed(child);

@@ -321,8 +321,7 @@ class Walker {
     frame.arrivals[loop.header].reset();
   }
 
-  /// Tries an iteration and widens `machine` by what it comes back with, without a trace of it. True where nothing is
-  /// new.
+  /// Tries an iteration and widens `machine` by what it comes back with, leaving no trace. True where nothing is new.
   bool settle(Frame& frame, std::size_t index, Machine& machine) {
     const std::uint32_t header = frame.nest.loops()[index].header;
     const Snapshot before(frame, walked_);

@@ -69,5 +69,5 @@ TEST_CASE("a part that never comes up is named, and its chain has no sample") {
     INFO(chain.dump());
     CHECK(chain["acquire"]["judged"] == "no-sample");
   }
-  CHECK(run_finemote(words).output.find("but: depth") != std::string::npos);
+  CHECK(run_finemote(words).output.find("never seen: depth") != std::string::npos);
 }
