@@ -162,10 +162,19 @@ std::uint32_t Can::error_status() const {
          (transmit_errors_ > 255 ? 255U : transmit_errors_) << 16;
 }
 
-/// Back on the bus after 128 times eleven recessive bits: RM0090 32.7.6.
-void Can::recover() {
-  world_.after(128 * 11 * wire().bit_time(), [this] {
-    if (initialising_) return;
+/// Back on the bus after 128 times eleven recessive bits, from the start if initialisation mode was entered meanwhile:
+/// RM0090 32.7.6.
+void Can::recover() { count_recessive(++recovery_, 128, wire().frames()); }
+
+/// An idle line has eleven recessive bits after eleven others, a busy one at the end of each frame.
+/// @param left    how many times more
+/// @param frames  that had ended before
+void Can::count_recessive(unsigned recovery, std::uint64_t left, std::uint64_t frames) {
+  const Time eleven = 11 * wire().bit_time();
+  world_.after(eleven, [this, recovery, left, frames, eleven] {
+    if (initialising_ || recovery != recovery_) return;
+    const std::uint64_t seen = wire().frames() - frames + (wire().is_idle_for(eleven) ? 1 : 0);
+    if (seen < left) return count_recessive(recovery, left - seen, wire().frames());
     esr_ &= ~4U;
     transmit_errors_ = 0;
     wire().request();
@@ -207,7 +216,9 @@ void Can::write_mcr(std::uint32_t value) {
 /// At once, or as late as the chip is; nothing comes of a request that is taken back before.
 void Can::enter_initialisation() {
   const auto enter = [this] {
-    if ((mcr_ & kInit) != 0) acknowledged_ = initialising_ = true;
+    if ((mcr_ & kInit) == 0) return;
+    acknowledged_ = initialising_ = true;
+    ++recovery_;
   };
   const std::uint32_t late_us = world_.silicon().draw_or_zero(Strictness::can_init);
   late_us == 0 ? enter() : world_.after(from_ns(std::uint64_t{late_us} * 1'000), enter);

@@ -62,6 +62,7 @@ class Can : public Peripheral {
   void received(const CanFrame& frame);
   void count_error(CanOutcome outcome);
   void recover();
+  void count_recessive(unsigned recovery, std::uint64_t left, std::uint64_t frames);
   void write_mcr(std::uint32_t value);
   void enter_initialisation();
   void write_filter(std::uint32_t offset, std::uint32_t value);
@@ -81,6 +82,7 @@ class Can : public Peripheral {
   std::function<std::uint32_t()> clock_hz_;
   std::uint32_t mcr_ = 0, ier_ = 0, esr_ = 0, btr_ = 0, completed_ = 0;
   unsigned transmit_errors_ = 0;
+  unsigned recovery_ = 0;      ///< the last that was begun
   bool acknowledged_ = false;  ///< INAK
   bool initialising_ = true, error_flag_ = false;
   std::array<Mailbox, 3> mailboxes_{};

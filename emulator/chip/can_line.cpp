@@ -81,6 +81,7 @@ void CanLine::begin() {
 void CanLine::end(std::size_t sender, const CanFrame& frame, CanOutcome outcome) {
   const bool ok = outcome == CanOutcome::received;
   sender_.reset();
+  ended_at_ = world_.now();
   ok ? ++statistics_.transfers : ++statistics_.errors;
   if (ok) statistics_.bytes += frame.size;
   if (nodes_[sender].sent) nodes_[sender].sent(frame, outcome);

@@ -55,6 +55,10 @@ class CanLine {
   /// Who is sending.
   [[nodiscard]] std::optional<std::size_t> sender() const { return sender_; }
   [[nodiscard]] const BusStatistics& statistics() const { return statistics_; }
+  /// So many frames have ended, good or destroyed, each with eleven recessive bits.
+  [[nodiscard]] std::uint64_t frames() const { return statistics_.transfers + statistics_.errors; }
+  /// Whether it has been recessive for so long.
+  [[nodiscard]] bool is_idle_for(Time time) const { return !sender_ && world_.now() - ended_at_ >= time; }
   [[nodiscard]] Time bit_time() const { return period_of(bitrate_); }
 
  private:
@@ -67,6 +71,7 @@ class CanLine {
   std::uint32_t bitrate_ = 1'000'000;
   std::optional<std::size_t> sender_;
   bool asked_ = false;
+  Time ended_at_ = 0;  ///< the last frame
   BusStatistics statistics_;
 };
 

@@ -22,8 +22,9 @@ constexpr std::uint32_t bit_of(unsigned number) { return std::uint32_t{1} << num
 /// Of the lowest bit that is set; `bits` is not 0.
 unsigned lowest(std::uint32_t bits) { return static_cast<unsigned>(__builtin_ctz(bits)); }
 
-/// 128 sequences of eleven recessive bits: ISO 11898-1.
-constexpr std::int64_t kRecoveryBits = 128 * 11;
+/// Sequences of eleven recessive bits before a controller is back on the bus: ISO 11898-1. Where others send all the
+/// time each frame ends with one.
+constexpr std::int64_t kRecoveryPauses = 128;
 
 /// How long the controller may take until it begins with that; ST's drivers allow as much.
 constexpr Duration kLongestPreparation = 10 * kMillisecond;
@@ -278,11 +279,12 @@ void CanBus::supervise() {
   if (!recovering_ || at >= try_again_) {
     begin_recovery(at);
   } else if (returning_) {
-    return;
+    silence();  // what jobs have sent meanwhile is old when the bus is back
+    return port_->pend();
   }
   returning_ = port_->recover();
   if (!returning_) return;
-  try_again_ = at + 2 * (kRecoveryBits * kSecond / bitrate_);
+  try_again_ = at + 2 * kRecoveryPauses * longest_frame_;
   silence();
   port_->pend();
 }
@@ -295,9 +297,13 @@ void CanBus::begin_recovery(Time at) {
   count_fault(Module::can, kBusOff);
 }
 
-// What was queued before the controller began to return is old: all groups go to zero, and only new commands drive
-// again, behind the zeros. Nothing leaves before: 1408 bits go by.
+// What was queued before the controller is back is old: all groups go to zero, and only new commands drive again,
+// behind the zeros. The mailboxes are emptied first: the controller may be back at any time, and the zeros must stay in
+// them.
 void CanBus::silence() {
+  waiting_slots_.store(0);
+  waiting_groups_.store(0);
+  port_->abort();
   std::uint32_t used = 0;
   for (unsigned i = 0; i < kGroups; ++i) {
     if (groups_[i].id.load() != 0) used |= bit_of(i);
@@ -308,8 +314,6 @@ void CanBus::silence() {
     group.cleared.store(static_cast<std::uint8_t>(group.cleared.load() + 1));
   }
   waiting_groups_.store(used);
-  waiting_slots_.store(0);
-  port_->abort();
 }
 
 }  // namespace finemote

@@ -239,7 +239,10 @@ void I2cBus::supervise() {
       return carry_recovery_on();
     case Mode::kStuck:
       only_after_fault();
-      if (--retry_wait_ != 0) return;
+      if (retry_wait_ > 1) {  // a stop may have cut off what comes after the last one
+        --retry_wait_;
+        return;
+      }
       recovery_step_ = 0;
       mode_.store(Mode::kRecover);
       return;

@@ -73,11 +73,11 @@ namespace {
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
     {0, 259825, finemote::kNothingToBound, nullptr},  // imu
-    {1, 556491, finemote::kNothingToBound, nullptr},  // depth
-    {1, 553791, finemote::kNothingToBound, nullptr},  // button
-    {1, 550893, 24408028, &station::servo.command},  // servo
-    {1, 546038, 24403173, &station::green_led.command},  // green_led
-    {1, 539812, 24396881, &station::blue_led.command},  // blue_led
+    {1, 556455, finemote::kNothingToBound, nullptr},  // depth
+    {1, 553755, finemote::kNothingToBound, nullptr},  // button
+    {1, 550857, 24407992, &station::servo.command},  // servo
+    {1, 546014, 24403149, &station::green_led.command},  // green_led
+    {1, 539800, 24396869, &station::blue_led.command},  // blue_led
     {1, 533713, finemote::kNothingToBound, nullptr},  // station
 };
 

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 192223, finemote::kNothingToBound, nullptr},  // imu
-    {0, 185981, 29102682, &gimbal::yaw.command},  // yaw
-    {0, 178607, 29095308, &gimbal::pitch.command},  // pitch
-    {1, 241178, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 309515, 27226116, &chassis::front_left.command},  // front_left
-    {2, 302398, 27218999, &chassis::front_right.command},  // front_right
-    {2, 295208, 27211809, &chassis::rear_left.command},  // rear_left
-    {2, 288091, 27204692, &chassis::rear_right.command},  // rear_right
-    {2, 280968, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 397743, finemote::kNothingToBound, nullptr},  // remote
+    {0, 192211, finemote::kNothingToBound, nullptr},  // imu
+    {0, 185969, 29102670, &gimbal::yaw.command},  // yaw
+    {0, 178595, 29095296, &gimbal::pitch.command},  // pitch
+    {1, 241166, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 309503, 27226104, &chassis::front_left.command},  // front_left
+    {2, 302386, 27218987, &chassis::front_right.command},  // front_right
+    {2, 295196, 27211797, &chassis::rear_left.command},  // rear_left
+    {2, 288079, 27204680, &chassis::rear_right.command},  // rear_right
+    {2, 280956, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 397731, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 407083, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 249767, 29410815, &arm::base.command},  // base
-    {0, 242650, 29403698, &arm::shoulder.command},  // shoulder
-    {0, 217771, 29378819, &arm::elbow.command},  // elbow
-    {0, 210654, 29371702, &arm::wrist_roll.command},  // wrist_roll
-    {0, 203531, 29364579, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 190792, 29351840, &arm::flange.command},  // flange
-    {0, 183669, finemote::kNothingToBound, nullptr},  // arm
+    {1, 407071, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 249755, 29410803, &arm::base.command},  // base
+    {0, 242638, 29403686, &arm::shoulder.command},  // shoulder
+    {0, 217759, 29378807, &arm::elbow.command},  // elbow
+    {0, 210642, 29371690, &arm::wrist_roll.command},  // wrist_roll
+    {0, 203519, 29364567, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 190780, 29351828, &arm::flange.command},  // flange
+    {0, 183657, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

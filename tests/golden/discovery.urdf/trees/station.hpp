@@ -24,24 +24,24 @@ namespace discovery::station {
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_line};
 
 /// depth: ms5837 on 'i2c' at 0x76, every 10 ms
-/// response <= 525.662 us
+/// response <= 525.626 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 depth{finemote::Ms5837::Config{}, slots::depth};
 
 /// button: key, every 10 ms
-/// response <= 525.662 us
+/// response <= 525.626 us
 FINEMOTE_CONSTINIT inline finemote::Key button{
     finemote::Key::Config{},
     /*line*/ finemote::GpioPin{finemote::ports::gpio, finemote::pin_number('A', 0)}};
 
 /// servo: pwm_servo on 'servo_pulses' channel 0, every 10 ms
-/// response <= 525.662 us; data age <= 24.041 ms when handle() ends, <= 24.136 ms at the output (oldest: station)
+/// response <= 525.626 us; data age <= 24.041 ms when handle() ends, <= 24.136 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::PwmServo servo{
     finemote::PwmServo::Config{},
     /*range*/ nullptr,
     finemote::PwmChannel{servo_pulses, 0}};
 
 /// green_led: led on 'green' channel 0, every 10 ms
-/// response <= 523.507 us; data age <= 24.038 ms when handle() ends, <= 24.136 ms at the output (oldest: station)
+/// response <= 523.483 us; data age <= 24.038 ms when handle() ends, <= 24.136 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led green_led{
     finemote::Led::Config{},
     finemote::PwmChannel{green, 0},
@@ -49,7 +49,7 @@ FINEMOTE_CONSTINIT inline finemote::Led green_led{
     /*blue*/ nullptr};
 
 /// blue_led: led on 'blue' channel 0, every 10 ms
-/// response <= 519.981 us; data age <= 24.035 ms when handle() ends, <= 24.136 ms at the output (oldest: station)
+/// response <= 519.969 us; data age <= 24.035 ms when handle() ends, <= 24.136 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led blue_led{
     finemote::Led::Config{},
     finemote::PwmChannel{blue, 0},
