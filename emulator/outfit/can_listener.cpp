@@ -10,9 +10,7 @@ using namespace scenario;
 class CanListener : public Element {
  public:
   CanListener(Outfit& outfit, const Json& part, const std::string& name) : Element(outfit, name) {
-    Can* can = outfit.board().chip().can(need<std::string>(part, "port"));
-    if (can == nullptr) refuse(part, "the board has no such CAN port");
-    can->line.attach({});
+    outfit.can_of(part).attach({});
   }
 };
 

@@ -41,16 +41,10 @@ MotorShaft::Parameters shaft_of(const Json& part) {
   return p;
 }
 
-CanLine& line_of(Outfit& outfit, const Json& part) {
-  Can* can = outfit.board().chip().can(need<std::string>(part, "port"));
-  if (can == nullptr) refuse(part, "the board has no such CAN port");
-  return can->line;
-}
-
 class MotorElement : public Element, public ShaftSource {
  public:
   MotorElement(Outfit& outfit, const Json& part, const std::string& name)
-      : Element(outfit, name), model(outfit.board().world(), line_of(outfit, part), figures_of(part), shaft_of(part)) {
+      : Element(outfit, name), model(outfit.board().world(), outfit.can_of(part), figures_of(part), shaft_of(part)) {
     model.on_sample = [this] { return begin_sample(0, now()); };
     model.on_report = [this](Tag sample) { end_sample(0, sample); };
     model.on_command = [this](int word, Tag origin) { record_output(0, static_cast<double>(word), origin); };

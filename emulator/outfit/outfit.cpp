@@ -88,6 +88,12 @@ Usart& Outfit::usart_of(const Json& part) {
   return *usart;
 }
 
+CanLine& Outfit::can_of(const Json& part) {
+  Can* can = board_.chip().can(need<std::string>(part, "port"));
+  if (can == nullptr) refuse(part, "the board has no such CAN port");
+  return can->line;
+}
+
 /// The bus itself, or one channel of a mux on it.
 I2cLine& Outfit::line_of(const Json& part) {
   if (part.contains("mux")) {

@@ -126,6 +126,7 @@ class Outfit {
   /// Pulls the reset pin, as the scenario asks for.
   void press_reset();
   Usart& usart_of(const Json& part);
+  CanLine& can_of(const Json& part);
   I2cLine& line_of(const Json& part);
   /// Calls the listener for every change of the PWM output the part is connected to.
   void listen_to_pulses(const Json& part, PulseSource::Listener listener);

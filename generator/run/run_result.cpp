@@ -87,9 +87,8 @@ std::set<std::string> kinds_of_silent_buses(const Robot& robot, const RunRecord&
 }  // namespace
 
 bool RunResult::bounds_hold() const {
-  const std::vector<Judged> all = judgements(*this);
   const bool is_monitored_well = (record.violated_from ? record.late_violations : violations()) == 0;
-  return is_monitored_well && std::none_of(all.begin(), all.end(), [&](const Judged& j) { return is_wrong(*this, j); });
+  return is_monitored_well && count_bounds().broken == 0;
 }
 
 RunResult::BoundCount RunResult::count_bounds() const {
@@ -110,10 +109,7 @@ bool RunResult::claims_hold() const {
   });
 }
 
-bool RunResult::is_judged() const {
-  const std::vector<Judged> all = judgements(*this);
-  return has(all, Judgement::held) || has(all, Judgement::broken);
-}
+bool RunResult::is_judged() const { return count_bounds().judged > 0; }
 
 bool RunResult::is_all_judged() const {
   const std::vector<Judged> all = judgements(*this);
