@@ -192,10 +192,11 @@ bool Chip::attach_spi(const std::string& name, unsigned select, SpiPart part) {
   return false;
 }
 
-bool Chip::break_dma(const std::string& port) {
+bool Chip::break_dma(const std::string& port, DmaWay way) {
   const auto stop = [&](const auto& table) {
     for (const stm32f407::Stream& it : table) {
-      if (port == it.name) return dma1_->break_stream(it.rx) || dma2_->break_stream(it.rx);
+      const DmaRequest request = way == DmaWay::receive ? it.rx : it.tx;
+      if (port == it.name) return dma1_->break_stream(request) || dma2_->break_stream(request);
     }
     return false;
   };

@@ -30,6 +30,9 @@
 
 namespace finemote::emulator {
 
+/// Which of the two streams of a port.
+enum class DmaWay : std::uint8_t { receive, transmit };
+
 class Chip : public ChipBus {
  public:
   Chip(World& world, Wiring wiring);
@@ -57,9 +60,9 @@ class Chip : public ChipBus {
   void attach_spi(Spi& spi, char port, unsigned pin, SpiPart part);
   /// The same by names, behind a chip select of the board. @return false: there is no such port or select
   bool attach_spi(const std::string& name, unsigned select, SpiPart part);
-  /// A fault: the DMA stream that receives for this port (`usart1`, `spi1`) meets a bus error. @return false: no such
-  /// port, or its stream is off
-  bool break_dma(const std::string& port);
+  /// A fault: a DMA stream of this port (`usart1`, `spi1`) meets a bus error. @return false: no such port, or the
+  /// stream is off
+  bool break_dma(const std::string& port, DmaWay way);
   /// Timer and channel of a pulse output of the board, by its port (`pwm1`, `led_red`); null and 0 when there is none.
   std::pair<Timer*, unsigned> pwm(const std::string& name);
   /// The pin of such an output. @throws std::invalid_argument  the board has none of this name

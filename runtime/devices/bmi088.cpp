@@ -49,8 +49,9 @@ constexpr std::uint8_t kSettingCount = sizeof kSettings / sizeof kSettings[0];
 constexpr float kAccelScale = 6 * 9.80665F / 32768;          ///< m/s^2
 constexpr float kGyroScale = 2000 * 0.01745329252F / 32768;  ///< rad/s
 
-/// What a read of the accelerometer brings is at most that old: a period of 800 Hz less 5 % (data sheet 1.2, table 3).
-constexpr Duration kAccelAge = 1'316 * kMicrosecond;
+/// What a read of the accelerometer brings is at most that old, `latency_ns` in the descriptor: a period of 800 Hz less
+/// 5 %, 1.316 ms (data sheet 1.2, table 3), and its filter.
+constexpr Duration kAccelAge = 2 * kMillisecond;
 
 /// A step of the sensor time (data sheet 5.3.5).
 constexpr Duration kChipTimeStep = 39'063;
@@ -89,6 +90,7 @@ void Bmi088::update() {
 // bring-up
 
 void Bmi088::set_up() {
+  if (entry_ != 0 && !(kSettings[entry_ - 1].gyro ? gyro_ : accel_)->done()) return begin_again();
   if (entry_ < kSettingCount) {
     const Setting& setting = kSettings[entry_++];
     std::uint8_t* out = setting.gyro ? gyro_out_ : accel_out_;
@@ -151,7 +153,7 @@ void Bmi088::take_sample() {
   state.pitch = attitude_.pitch();
   state.yaw = attitude_.yaw();
   state.origin = ready_ != nullptr ? oldest(asked_ - kAccelAge, edge_.at) : asked_ - kAccelAge;
-  state.valid = true;
+  state.valid = attitude_.aligned();
 }
 
 /// Keeps the time of a read that was answered; false where the part has not measured since the one before.

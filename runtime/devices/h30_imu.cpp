@@ -16,6 +16,9 @@ constexpr std::size_t kHeads = 2, kNumberAt = 2, kLengthAt = 4;
 constexpr std::uint8_t kAcceleration = 0x10, kRates = 0x20, kAngles = 0x40;
 constexpr std::size_t kVector = 12;
 
+/// How much older a sample is than its frame: `latency_ns` in the descriptor.
+constexpr Duration kLatency = 1 * kMillisecond;
+
 constexpr float kMicro = 1e-6F;
 constexpr float kMicroDegree = 1.745329252e-8F;  ///< rad
 
@@ -152,7 +155,7 @@ bool H30Imu::take(const std::uint8_t* frame) {
 
 /// @param since  bytes from the begin of the last good frame on
 void H30Imu::stamp(std::size_t since, std::size_t whole) {
-  state.origin = uart_->began(since - whole, whole);
+  state.origin = uart_->began(since - whole, whole) - kLatency;
   state.valid = true;
 }
 

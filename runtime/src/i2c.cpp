@@ -50,6 +50,8 @@ void I2cSlot::set_safe(const std::uint8_t* write, std::size_t size) {
   safe_size_.store(static_cast<std::uint16_t>(size));
 }
 
+bool I2cSlot::sends_safe() const { return bus_->unit_.load() % 2 != 0 && bus_->safe_unit_ && bus_->active_ == this; }
+
 void I2cSlot::end(SlotState result, Time at) {
   count_failure(result != SlotState::kDone);
   ended_ = at;
@@ -64,6 +66,15 @@ void I2cBus::start() {
   list_bus(counters_);
   mode_.store(Mode::kReady);
   port_->configure(clock_hz_, *this);
+  if (!port_->lines_free()) free_lines();
+}
+
+/// A reset cut off a read, whose part still holds the data line: the safe writes must not wait for a deadline.
+void I2cBus::free_lines() {
+  ++counters_.recoveries;
+  recovery_step_ = 0;
+  mode_.store(Mode::kRecover);
+  while (mode_.load() == Mode::kRecover) carry_recovery_on();  // kMaxRecoverySteps at most
 }
 
 void I2cBus::on_interrupt(I2cEvent event) {

@@ -48,12 +48,13 @@ void Pca9685::flush() {
 }
 
 void Pca9685::work() {
-  if (safe_changed_.exchange(false)) build_safe();
-  if (slot_->busy()) return;
   if (detail::has_stopped()) {  // it may have cut off what had taken changes out and not sent them
     only_after_fault();
+    safe_changed_.store(safe_known_.load() != 0);
     changed_.set_bits(used_.load() | safe_known_.load());
   }
+  if (!slot_->busy() && !slot_->sends_safe() && safe_changed_.exchange(false)) build_safe();
+  if (slot_->busy()) return;
   take_result();
   unreachable_.store(slot_->unreachable() || !slot_->bus().ready());
   begin_step();
@@ -184,9 +185,10 @@ void Pca9685::put(std::uint8_t* at, std::uint32_t pulse) const {
 }
 
 /// The present one. What has no safe one, and lies between channels that have, keeps it where the safe ones are sent.
-[[gnu::always_inline]] inline void Pca9685::put_pulse(unsigned channel, std::uint8_t* at) {
+/// @param kept_ones  the channels of which that is so
+[[gnu::always_inline]] inline void Pca9685::put_pulse(unsigned channel, std::uint32_t kept_ones, std::uint8_t* at) {
   put(at, channel_[channel].pulse.load());
-  if ((kept_ >> channel & 1U) == 0) return;
+  if ((kept_ones >> channel & 1U) == 0) return;
   std::uint8_t* const kept = safe_image_ + 1 + 4 * (channel - safe_first_);
   kept[2] = at[2];  // the others are 0 in both
   kept[3] = at[3];
@@ -209,6 +211,7 @@ void Pca9685::build_safe() {
 /// One burst from the first to the last changed channel; its size, 0 when nothing has changed. Channels another bucket
 /// sets meanwhile are taken along.
 std::size_t Pca9685::build_burst() {
+  const std::uint32_t kept = slot_->sends_safe() ? 0 : kept_;  // what is on the wire must not change
   std::size_t size = 0;
   for (int attempt = 0; attempt < 3; ++attempt) {
     const std::uint32_t changed = changed_.exchange(0);
@@ -217,7 +220,7 @@ std::size_t Pca9685::build_burst() {
     used_.set_bits(changed);
     const unsigned first = lowest(in_burst_), last = highest(in_burst_);
     burst_[0] = static_cast<std::uint8_t>(kLed0 + 4 * first);
-    for (unsigned n = first; n <= last; ++n) put_pulse(n, burst_ + 1 + 4 * (n - first));
+    for (unsigned n = first; n <= last; ++n) put_pulse(n, kept, burst_ + 1 + 4 * (n - first));
     size = 1 + 4 * (last - first + 1);
   }
   return size;

@@ -222,6 +222,20 @@ TEST_CASE_METHOD(Fixture, "a bus error leads to recovery too") {
   CHECK(a.state() == SlotState::kFailed);
 }
 
+TEST_CASE_METHOD(Fixture, "lines that a part holds when the robot starts are freed before anything is asked for") {
+  host::i2c2.hold_sda(7);
+  bench::robot().start = [this] {
+    bus.start();
+    CHECK(bus.ready());
+    a.start(one, 1);
+  };
+  bench::run(5 * kMillisecond);
+  CHECK(a.done());
+  CHECK(host::i2c2.recovery_clocks == 9);
+  CHECK(bus.counters().recoveries == 1);
+  CHECK(bus.counters().overdue == 0);
+}
+
 TEST_CASE_METHOD(Fixture, "a bus that stays stuck is tried again now and then, and everybody is unreachable") {
   bench::at(1 * kMillisecond, [&] { host::i2c2.hold_sda(-1); });
   bench::robot().slow = [&] {

@@ -268,6 +268,32 @@ TEST_CASE_METHOD(Fixture, "an output without a safe pulse between two that have 
   for (std::size_t i = before; i < part.changes.size(); ++i) CHECK(part.changes[i].pulses[1] == 389 * 4880);
 }
 
+TEST_CASE_METHOD(Fixture, "a safe write that is on the wire does not change") {
+  bench::robot().safe = [&] { safe({0, 2}); };
+  bench::at(300 * kMillisecond, [&] { pwm.set(1, 1900000); });
+  std::size_t before = 0;
+  bench::at(400 * kMillisecond, [&] {
+    bench::robot().slow = [] {};  // no flush but that below
+    host::i2c2.disturb(1);
+    before = part.changes.size();
+    slot.start(nullptr, 0);
+  });
+  bool is_set = false;
+  for (Time at = 400 * kMillisecond; at < 500 * kMillisecond; at += 50 * kMicrosecond) {
+    bench::at(at, [&] {
+      if (is_set || !slot.sends_safe()) return;
+      is_set = true;
+      pwm.set(1, 1100000);
+      pwm.flush();
+    });
+  }
+  bench::run(600 * kMillisecond);
+  REQUIRE(is_set);
+  REQUIRE(part.changes.size() > before);
+  CHECK(part.changes[before].pulses[1] == 389 * 4880);
+  CHECK(part.pulse(1) == 225 * 4880);
+}
+
 TEST_CASE_METHOD(Fixture, "a flush cut off by a stop of the robot does not keep the safe pulses back") {
   bench::robot().safe = [&] { safe({0}); };
   bench::run(200 * kMillisecond);

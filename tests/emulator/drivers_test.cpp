@@ -156,11 +156,49 @@ TEST_CASE("a bus lost to another master costs one transfer, and the next one has
 TEST_CASE("a receiving DMA stream that meets a bus error is started again by the next job") {
   MiniBoard mini;
   mini.board.run_for(300 * kMs);
-  REQUIRE(mini.board.chip().break_dma("usart1"));
+  REQUIRE(mini.board.chip().break_dma("usart1", DmaWay::receive));
   const unsigned frames = mini.observed(kImuFrames);
   mini.board.run_for(100 * kMs);
   CHECK(mini.observed(kImuFrames) >= frames + 17);  // of 20: two at most are lost with what lay in the ring
   CHECK(mini.observed(kImuValid) == 1);
+}
+
+TEST_CASE("a block whose stream dies is given up, and the next one leaves") {
+  MiniBoard mini;
+  mini.board.run_for(300 * kMs);
+  mini.host.send("0123456789");
+  const std::size_t before = mini.host.heard().size();
+  for (int i = 0; i < 100 && mini.host.heard().size() == before; ++i) mini.board.run_for(kMs / 10);
+  REQUIRE(mini.board.chip().break_dma("usart6", DmaWay::transmit));
+  const unsigned frames = mini.observed(kImuFrames);
+  mini.board.run_for(100 * kMs);
+  CHECK(mini.board.resets() == 0);
+  CHECK(mini.observed(kImuFrames) >= frames + 19);  // buckets run on
+  mini.host.send("abc");
+  mini.board.run_for(100 * kMs);
+  CHECK(mini.host.text().substr(before).find("abc") != std::string::npos);
+}
+
+TEST_CASE("a part that holds the data line over a reset keeps the first write waiting for its clocks alone") {
+  const auto first_write = [](unsigned clocks) {
+    MiniBoard mini;
+    mini.board.run_for(300 * kMs);
+    bool is_written = false;
+    mini.pwm.on_write = [&is_written](unsigned, std::uint64_t) { is_written = true; };
+    mini.board.press_reset();
+    mini.board.chip().i2c("i2c2")->line.hold_sda(clocks);
+    unsigned tenths = 0;
+    for (; tenths < 5000 && !is_written; ++tenths) mini.board.run_for(kMs / 10);
+    mini.board.run_for(300 * kMs);
+    CHECK(mini.observed(kPressureValid) == 1);
+    return tenths;
+  };
+  const unsigned on_free_lines = first_write(0);
+  REQUIRE(on_free_lines < 1000);
+  for (const unsigned clocks : {1U, 5U, 9U}) {
+    INFO(clocks << " clocks");
+    CHECK(first_write(clocks) <= on_free_lines + 3);
+  }
 }
 
 TEST_CASE("the first pulses after a reset are those of a robot without sensors, never the ones before it") {

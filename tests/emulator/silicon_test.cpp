@@ -78,7 +78,7 @@ bool broken_spi_trouble(const std::string& image, const BoardOptions& options) {
   board.load(test_image(image));
   board.run_for(30 * kMs);
   for (unsigned i = 0; i < 200'000 && accelerometer.heard.size() != 1; ++i) board.run_for(20);
-  board.chip().break_dma("spi1");
+  board.chip().break_dma("spi1", DmaWay::receive);
   board.run_for(5 * kMs);
   return !gyroscope.whole;
 }

@@ -165,6 +165,9 @@ class I2cPort {
   /// 4.3.4). Never blocks. Context: any.
   void pend();
 
+  /// SCL and SDA are high: no part holds the bus. Context: init, behind configure().
+  [[nodiscard]] bool lines_free() const;
+
   /// Whether the exchange has gone no step on for longer than one can take on the wire. Context: bucket.
   [[nodiscard]] bool stands_still() const;
 
@@ -187,7 +190,7 @@ class I2cPort {
   /// One bounded step of bus recovery: clocks SCL by hand until SDA is released (nine clocks in all at most, I2C-bus
   /// specification UM10204 3.1.16), sends a STOP, and sets the peripheral up again as configure() did. `step` counts 0,
   /// 1, 2, ... within one recovery. Takes at most 40 us each, and is over after at most kMaxRecoverySteps steps.
-  /// Context: fastest bucket, between abort() and the next begin().
+  /// Context: fastest bucket, between abort() and the next begin(); init, before the first.
   [[nodiscard]] Recovery recover(unsigned step);
 
  private:

@@ -79,6 +79,8 @@ void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
   pend();
 }
 
+bool I2cPort::lines_free() const { return hardware_->held == 0; }
+
 bool I2cPort::stands_still() const { return true; }
 
 void I2cPort::pend() {

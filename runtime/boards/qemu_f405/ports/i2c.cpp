@@ -7,6 +7,7 @@ void I2cPort::configure(std::int64_t, I2cBus& bus) {
   hardware_->bus = &bus;
   cortex_m4::enable_line(hardware_->line, cortex_m4::kSlowBusPriority);
 }
+bool I2cPort::lines_free() const { return true; }
 bool I2cPort::stands_still() const { return true; }
 void I2cPort::pend() { hardware_->pend(); }
 void I2cPort::begin(const I2cMessage&) {

@@ -104,6 +104,8 @@ void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
 
 void I2cPort::pend() { stm32f4::pend_line(hardware_->setup.event_line); }
 
+bool I2cPort::lines_free() const { return hardware_->setup.scl.is_high() && hardware_->setup.sda.is_high(); }
+
 // Interrupts come before whoever asks: at that instant a step is under way on the wire, or none will be. The longest is
 // three bytes: of a read, two, and what begins it.
 bool I2cPort::stands_still() const {

@@ -1,6 +1,7 @@
 // UartPort on a USART with two DMA streams. Procedures: RM0090 30.3.13 (continuous communication by DMA), 10.3.17.
 #include "finemote/fault.hpp"
 #include "finemote/loop_bound.hpp"
+#include "finemote/only_after_fault.hpp"
 #include "finemote/raised_by.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/cortex_m4/urgent_interrupt.hpp"
@@ -238,13 +239,22 @@ void UartHardware::on_usart() {
   const bool has_event = (status & (usart::kErrors | usart::kIdle)) != 0;
   if (!quiet.load() && has_event) take_events(status, interrupt.event().earliest);
   const bool waiting = (registers.cr1().read() & usart::kCompleteInterrupt) != 0;
-  if (waiting && (status & usart::kTransmitComplete) != 0 && setup.transmit.ndtr().read() == 0) {
-    only_if_raised_by<Raised::end>();
-    registers.cr1().clear(usart::kCompleteInterrupt);
-    drive(false);
-    sending.store(false);
-  }
+  if (waiting && (status & usart::kTransmitComplete) != 0) end_transmit();
   stm32f4::settle(registers.cr1());
+}
+
+/// Bytes that have not left are those of a stream that has died, or the end was that of a block which this one cut
+/// short. The flag alone goes then, which would raise the line for ever: a later end comes, or the deadline.
+void UartHardware::end_transmit() {
+  only_if_raised_by<Raised::end>();
+  if (setup.transmit.ndtr().read() != 0) {
+    only_after_fault();
+    setup.usart.sr().write(~usart::kTransmitComplete);
+    return;
+  }
+  setup.usart.cr1().clear(usart::kCompleteInterrupt);
+  drive(false);
+  sending.store(false);
 }
 
 void UartHardware::take_events(std::uint32_t status, Time at) {

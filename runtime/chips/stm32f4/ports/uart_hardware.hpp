@@ -55,6 +55,8 @@ struct UartHardware {
   void on_receive_dma();
 
  private:
+  void end_transmit();
+
   struct RingPlace {
     std::uint32_t laps, position;
   };

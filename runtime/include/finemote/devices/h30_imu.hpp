@@ -24,7 +24,8 @@ namespace finemote {
 /// A frame counts when both sums agree, its records, at most twelve, fill it exactly, all three records above are
 /// there, and every value is in range; of several in one update() only the last one whose sums agree. Attitude, rates
 /// and acceleration are in the axes of the robot's body, wherever the URDF says the part's own link points. The state
-/// is valid until kMaxAge after the last one; its origin is when the frame began to arrive.
+/// is valid until kMaxAge after the last one; its origin is a millisecond before its frame began to arrive, for the
+/// filter inside.
 class H30Imu {
  public:
   static constexpr Duration kMaxAge = 50 * kMillisecond;
