@@ -1,7 +1,6 @@
 // Tables of documentation pages that tests write.
 #pragma once
 
-#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "catch.hpp"
 #include "source_dir.hpp"
 #include "tests/read.hpp"
+#include "tests/rewrites.hpp"
 
 namespace finemote::test {
 
@@ -19,7 +19,7 @@ inline std::string row(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
-/// A page whose tables stand between comments that name them. With FINEMOTE_UPDATE_GOLDEN it is written.
+/// A page whose tables stand between comments that name them. It is written where rewrites().
 class PageTables {
  public:
   /// @param page  below the project's folder
@@ -36,7 +36,7 @@ class PageTables {
 
   /// That the page has these tables.
   void hold() const {
-    if (std::getenv("FINEMOTE_UPDATE_GOLDEN") != nullptr) std::ofstream(path_, std::ios::binary) << text_;
+    if (rewrites()) std::ofstream(path_, std::ios::binary) << text_;
     CHECK(read(path_) == text_);
   }
 

@@ -32,9 +32,11 @@ void print_worst_age(const RunResult& result, std::ostream& out) {
   }
   if (worst == nullptr) return;
   const Measured& age = worst->end_to_end;
-  out << fmt::format("worst age of a command: {} measured, {} bound ({} -> {})\n",
+  const bool is_excused = age.judged() == Judgement::broken && result.bounds_hold();
+  out << fmt::format("worst age of a command: {} measured, {} bound{} ({} -> {})\n",
                      timing::duration_text(age.observed.max), timing::duration_text(age.bound),
-                     name_of(result, worst->from), name_of(result, worst->to));
+                     is_excused ? ", which does not count" : "", name_of(result, worst->from),
+                     name_of(result, worst->to));
 }
 
 }  // namespace

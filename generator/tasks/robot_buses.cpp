@@ -250,6 +250,11 @@ BusPlaces::BusPlaces(const Robot& robot) : robot_(robot), places_(robot.buses.si
   }
 }
 
+std::size_t mailboxes_of(const Robot& robot, BusId bus) {
+  const Driver* driver = driver_of(robot, bus);
+  return driver == nullptr ? 0 : driver->mailboxes;
+}
+
 Mover mover_of(const Robot& robot, BusId bus) {
   const Port* port = port_of(robot, robot.buses[bus]);
   return port != nullptr && !port->dma.empty() ? Mover::dma : Mover::routine;

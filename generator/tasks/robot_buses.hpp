@@ -28,6 +28,9 @@ class BusPlaces {
   Table<BusPlace, BusId> buses_;
 };
 
+/// Frames that wait in the bus's controller and go by identifier; 0: the board does not say.
+std::size_t mailboxes_of(const Robot& robot, BusId bus);
+
 /// What moves the bytes of a bus.
 Mover mover_of(const Robot& robot, BusId bus);
 

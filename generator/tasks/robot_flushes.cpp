@@ -124,22 +124,21 @@ class FlushAdder {
     flush.interrupts = use.interrupts;
     flush.service = traffic_.service(*bus, use);
     traffic_.add_budget(*bus, flush.devices.front(), use, FrameStage::flush);
-    if (!go_by_identifier(rate.kind, *bus, of_bus.size())) return;
+    if (!go_by_identifier(*bus, of_bus.size())) return;
     flush.identifiers.assign(identifiers.begin(), identifiers.end());
     flush.interrupts = 0;  // each frame finds a mailbox at once: the request that fills it runs before the job goes on
   }
 
   /// The controller sends by identifier among its mailboxes. With more frames of ours than those, or with others than
   /// the shared ones, declared or not, one that waits for a mailbox may be the more urgent.
-  [[nodiscard]] bool go_by_identifier(BusKind kind, BusPlace bus, std::size_t frames) const {
+  [[nodiscard]] bool go_by_identifier(BusPlace bus, std::size_t frames) const {
     const auto is_alone = [&](const Device& device) {
       return std::all_of(device.transfers.begin(), device.transfers.end(),
                          [&](const Transfer& t) { return t.bus != bus || t.after == Transfer::After::autonomous; });
     };
-    if (robot_.board == nullptr || !traffic_.is_counted(bus)) return false;
-    const Driver* driver = robot_.board->driver(kind);
-    const std::size_t mailboxes = driver == nullptr ? 0 : driver->mailboxes;
-    return frames <= mailboxes && std::all_of(model_.devices.begin(), model_.devices.end(), is_alone);
+    if (!traffic_.is_counted(bus)) return false;
+    return frames <= mailboxes_of(robot_, places_.buses()[bus]) &&
+           std::all_of(model_.devices.begin(), model_.devices.end(), is_alone);
   }
 
   const Robot& robot_;

@@ -17,9 +17,6 @@ namespace {
 /// Of what software asks for: nothing but how often it does bounds it.
 constexpr Duration kAnyDistance = nanoseconds(1);
 
-/// Frames of one slot that may be under way: in the three mailboxes of the controller, and in the slot.
-constexpr std::int64_t kUnderWay = 4;
-
 /// It answers the frame that its device fills together with others.
 bool is_reply(const gen::Device& device, const Frame& frame, const WireRate& rate) {
   return bus_type(rate.kind).is_arbitrated && frame.write_bytes == 0 && frame.read_bytes > 0 && shared_frame_of(device);
@@ -205,6 +202,12 @@ void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const Wir
   }
 }
 
+/// Frames of one slot that may be under way: in the mailboxes of the controller, and in the slot.
+std::int64_t Traffic::under_way(BusPlace bus) const {
+  constexpr std::size_t kOfBxCan = 3;  // where the board does not say: RM0090 32.3.5
+  return static_cast<std::int64_t>(std::max(mailboxes_of(robot_, places_.buses()[bus]), kOfBxCan)) + 1;
+}
+
 void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, FrameStage stage, std::int64_t every) {
   const bool together = use.in_one_request || bus_type(robot_.buses[places_.buses()[bus]].kind).is_mastered;
   FrameBudget budget{place, together ? 1 : use.ends, every, {}};
@@ -220,7 +223,7 @@ void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, FrameStag
   if (use.answers == 0) return;
   FrameBudget answers{place, use.answers, every, {}};
   const auto& measured = model_.devices[place].acquisition;
-  answers.carry_in = 1 + kUnderWay + (measured ? ceil_div(measured->conversion, model_.devices[place].period) : 0);
+  answers.carry_in = 1 + under_way(bus) + (measured ? ceil_div(measured->conversion, model_.devices[place].period) : 0);
   allow(bus, DriverSource::Counts::received, answers);
 }
 

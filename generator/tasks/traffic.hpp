@@ -57,6 +57,7 @@ class Traffic {
   void allow_events(BusPlace bus, Rank reader);
   void allow(BusPlace bus, DriverSource::Counts what, const FrameBudget& budget);
   void allow_bytes(BusPlace bus, const WireUse& use, FrameBudget budget);
+  [[nodiscard]] std::int64_t under_way(BusPlace bus) const;
   void let_requests_meet(BusPlace bus);
   void drop_unraised(BusPlace bus);
   void allow_requests_of_slots(BusPlace bus);

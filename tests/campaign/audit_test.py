@@ -58,11 +58,11 @@ def analysis(**changed):
     }
 
 
-def verdict(events, bounds, disturbed=None):
+def verdict(events, bounds, disturbed=None, lowered=inject.nothing_lowered):
     with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as file:
         file.writelines(json.dumps(event) + "\n" for event in events)
         file.flush()
-        judged = judge.Judge(bounds)
+        judged = judge.Judge(bounds, lowered)
         judged.take(file.name, disturbed)
         return judged.verdict()
 
@@ -104,6 +104,16 @@ class Verdicts(unittest.TestCase):
         for kind, bound in (("acquire", 1301999), ("decide", 12999), ("wire", 24999), ("end_to_end", 1339999)):
             seen = verdict(record(), analysis(**{kind: bound}))
             self.assertEqual([line.split(":")[0] for line in seen.broken], [f"eye hand {kind}"])
+
+    def test_every_figure_of_the_processor_can_break(self):
+        bounds = analysis()
+        bounds["model"]["buses"] = [{"name": "wire", "wcet_ns": 3000, "sources": [{"name": "step", "wcet_ns": 3000}]}]
+        for key, seen_ns in ((("eye", "update", "response"), 10000), (("hand", "handle", "response"), 15000),
+                             (("eye", "update", "own"), 5000), (("wire", "routine", "interrupt"), 3000),
+                             (("processor", "release", "release"), 1000), (("1000000", "job", "flush"), 4000)):
+            def below(held, bound, key=key, seen_ns=seen_ns):
+                return seen_ns - 1 if held == key else bound
+            self.assertEqual([line.split(":")[0] for line in verdict(record(), bounds, lowered=below).broken], [" ".join(key)])
 
     def test_claims_fresher_than_the_sample_are_found(self):
         events = record()

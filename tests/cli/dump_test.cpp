@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "cli/program.hpp"
+#include "tests/rewrites.hpp"
 
 using namespace finemote::test;
 
@@ -24,7 +25,7 @@ TEST_CASE("the stages of a small robot are those that were reviewed") {
   const std::string golden = source_path("tests/golden/stages/" + std::string(stage) + ".json");
   const auto result = run_finemote({"generate", source_path("examples/two_devices.urdf"), "--dump", stage});
   REQUIRE(result.exit_status == 0);
-  if (std::getenv("FINEMOTE_UPDATE_GOLDEN") != nullptr) write_file(golden, result.output);
+  if (finemote::test::rewrites()) write_file(golden, result.output);
   CHECK(result.output == read_file(golden));
 }
 

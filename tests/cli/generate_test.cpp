@@ -28,8 +28,9 @@ TEST_CASE("the same input gives the same bytes from another folder, in another l
     const auto first = files_below(folder.path("one"));
     REQUIRE(first.size() >= 7);
 
-    REQUIRE(run_finemote({"generate", input, "-o", folder.path("two")}, {"LC_ALL=de_DE.UTF-8", "LANG=de_DE.UTF-8"})
-                .exit_status == 0);
+    REQUIRE(
+        run_finemote({"generate", input, "-o", folder.path("two")}, {"LOCPATH=" FINEMOTE_LOCALES, "LC_ALL=de_DE.UTF-8"})
+            .exit_status == 0);
     CHECK(files_below(folder.path("two")) == first);
 
     const fs::path before = fs::current_path();

@@ -27,16 +27,6 @@ nlohmann::json finemote_json(std::vector<std::string> words) {
   return nlohmann::json::parse(result.output.substr(begin));
 }
 
-TemporaryFolder::TemporaryFolder() {
-  path_ = (fs::temp_directory_path() / "finemote-test-XXXXXX").string();
-  if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 std::map<std::string, std::string> files_below(const std::string& folder) {
   std::map<std::string, std::string> files;
   if (!fs::exists(folder)) return files;

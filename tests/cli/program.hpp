@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/run/process.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace finemote::test {
 
@@ -15,21 +16,6 @@ gen::ProcessResult run_finemote(std::vector<std::string> words, const std::vecto
 
 /// The JSON document it prints on stdout with --format json; fails the test when there is none.
 nlohmann::json finemote_json(std::vector<std::string> words);
-
-/// A folder of its own for a test, empty, removed with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder();
-  [[nodiscard]] std::string path(const std::string& name = {}) const {
-    return name.empty() ? path_ : path_ + "/" + name;
-  }
-
- private:
-  std::string path_;
-};
 
 /// Every regular file below a folder, by its relative name.
 std::map<std::string, std::string> files_below(const std::string& folder);

@@ -1,6 +1,7 @@
-// Runs folders of xacro cases (tests/xacro-cases/README.md): xacro_cases FOLDER [--origin NAME].
+// Runs a folder of xacro cases (tests/xacro-cases/README.md): xacro_cases FOLDER, or xacro_cases --upstream for those
+// of ROS xacro's own test-suite below $FINEMOTE_XACRO_CASES.
 //
-// Exit status: 0 all pass, 1 some fail, 77 there is no such folder (CTest calls that skipped).
+// Exit status: 0 all pass, 1 some fail, 77 the variable is not set (CTest calls that skipped).
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include "generator/xacro/expand_file.hpp"
 #include "generator/xml/parse.hpp"
 #include "tests/conformance/tree.hpp"
+#include "tests/read.hpp"
 
 namespace {
 
@@ -23,13 +25,6 @@ namespace xacro = finemote::gen::xacro;
 using Json = nlohmann::json;
 
 constexpr int kSkipped = 77;
-
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::string with_case_mark(std::string text, const std::string& folder) {
   for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
@@ -66,7 +61,7 @@ std::optional<xml::Document> parse(const std::string& text) {
 std::string check_success(const fs::path& folder, const Json& facts, int status, const std::string& out,
                           const std::string& err) {
   if (status != 0) return "exit status " + std::to_string(status) + ": " + err;
-  const auto expected = parse(read_file(folder / "expected.xml"));
+  const auto expected = parse(finemote::test::read(folder / "expected.xml"));
   const auto given = parse(out);
   if (!expected || !given) return "the output is no XML";
   return difference(expected->root, given->root, facts.value("compare_comments", false));
@@ -76,7 +71,7 @@ std::string check_success(const fs::path& folder, const Json& facts, int status,
 std::string check_failure(const fs::path& folder, int status, const std::string& out, const std::string& err) {
   if (status != 2) return "exit status " + std::to_string(status) + " where an error was expected";
   if (!out.empty()) return "an error, and output all the same";
-  const std::string expected = read_file(folder / "expected_error.txt");
+  const std::string expected = finemote::test::read(folder / "expected_error.txt");
   const auto begin = expected.find("message: ");
   const auto end = expected.find("\n--- location");
   if (begin == std::string::npos || expected.find("class: RecursionError") == 0) return {};
@@ -86,7 +81,7 @@ std::string check_failure(const fs::path& folder, int status, const std::string&
 
 /// What is wrong with one case, or an empty text.
 std::string run_case(const fs::path& folder) {
-  const Json facts = Json::parse(read_file(folder / "args.json"));
+  const Json facts = Json::parse(finemote::test::read(folder / "args.json"));
   const Json given = facts.value("args", Json::object());
   xacro::Arguments arguments;
   for (const auto& [name, value] : given.items()) arguments[name] = value.get<std::string>();
@@ -113,7 +108,7 @@ std::string run_case(const fs::path& folder) {
 
 std::vector<fs::path> cases_in(const fs::path& folder, const std::string& origin) {
   std::vector<fs::path> cases;
-  const Json index = Json::parse(read_file(folder / "index.json"));
+  const Json index = Json::parse(finemote::test::read(folder / "index.json"));
   for (const Json& entry : index) {
     if (origin.empty() || entry["origin"] == origin) cases.push_back(folder / entry["name"].get<std::string>());
   }
@@ -123,15 +118,16 @@ std::vector<fs::path> cases_in(const fs::path& folder, const std::string& origin
 }  // namespace
 
 int main(int count, char** words) {
-  const std::string folder = count > 1 ? words[1] : "";
-  const std::string origin = count > 3 && std::string(words[2]) == "--origin" ? words[3] : "";
-  if (!fs::exists(fs::path(folder) / "index.json")) {
-    std::cout << "SKIPPED: there are no xacro cases in '" << folder << "'; FINEMOTE_XACRO_CASES says where they are\n";
+  const bool is_upstream = count > 1 && std::string(words[1]) == "--upstream";
+  const char* const elsewhere = std::getenv("FINEMOTE_XACRO_CASES");
+  if (is_upstream && elsewhere == nullptr) {
+    std::cout << "SKIPPED: FINEMOTE_XACRO_CASES does not say where the cases of ROS xacro are\n";
     return kSkipped;
   }
+  const std::string folder = is_upstream ? elsewhere : count > 1 ? words[1] : "";
   for (const char* name : {"ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH"}) unsetenv(name);
   std::size_t failed = 0;
-  const auto cases = cases_in(fs::canonical(folder), origin);
+  const auto cases = cases_in(fs::canonical(folder), is_upstream ? "upstream" : "");
   for (const fs::path& one : cases) {
     const std::string wrong = run_case(one);
     if (wrong.empty()) continue;

@@ -12,6 +12,7 @@
 #include "catch.hpp"
 #include "emulator/silicon/strictness.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/rewrites.hpp"
 
 using namespace finemote::test;
 using Names = std::set<std::string>;
@@ -346,6 +347,6 @@ TEST_CASE("the page lists every test with its expectation") {
   const std::size_t at = page.find(begin), end = page.find("<!-- end of table -->", at);
   REQUIRE(end != std::string::npos);
   page.replace(at + begin.size(), end - at - begin.size(), "\n" + table_of(read_record(recorded()).document) + "\n");
-  if (std::getenv("FINEMOTE_UPDATE_GOLDEN") != nullptr) std::ofstream(path, std::ios::binary) << page;
+  if (finemote::test::rewrites()) std::ofstream(path, std::ios::binary) << page;
   CHECK(read_file(path) == page);
 }

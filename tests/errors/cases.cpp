@@ -45,11 +45,4 @@ void examine(const Case& test, const std::string& text, Said& said) {
   if (document) build_model(*document, *library, {}, said.sources, said.diagnostics);
 }
 
-std::string read_text(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 }  // namespace finemote::test

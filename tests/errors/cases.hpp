@@ -32,6 +32,4 @@ struct Said {
 };
 void examine(const Case& test, const std::string& text, Said& said);
 
-std::string read_text(const std::filesystem::path& path);
-
 }  // namespace finemote::test

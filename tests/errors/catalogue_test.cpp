@@ -12,6 +12,7 @@
 #include "generator/diagnostic/render.hpp"
 #include "read.hpp"
 #include "source_dir.hpp"
+#include "tests/rewrites.hpp"
 
 using namespace finemote::gen;
 using finemote::test::read;
@@ -158,8 +159,7 @@ TEST_CASE("every number is reported by some line of the tool") {
 
 TEST_CASE("the index of the pages is up to date") {
   const fs::path path = fs::path(kSource) / "docs/diagnostics/README.md";
-  const char* wish = std::getenv("FINEMOTE_UPDATE_GOLDEN");
-  if (wish != nullptr && std::string(wish) == "1") std::ofstream(path, std::ios::binary) << index_page();
+  if (finemote::test::rewrites()) std::ofstream(path, std::ios::binary) << index_page();
   INFO("FINEMOTE_UPDATE_GOLDEN=1 writes it anew");
   CHECK(read(path) == index_page());
 }

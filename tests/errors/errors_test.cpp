@@ -6,6 +6,8 @@
 #include "cases.hpp"
 #include "catch.hpp"
 #include "generator/diagnostic/render.hpp"
+#include "tests/read.hpp"
+#include "tests/rewrites.hpp"
 
 using namespace finemote::gen;
 using namespace finemote::test;
@@ -20,11 +22,6 @@ std::string say(const Case& test) {
   return render_text(said.diagnostics, false);
 }
 
-bool is_updating() {
-  const char* wish = std::getenv("FINEMOTE_UPDATE_GOLDEN");
-  return wish != nullptr && std::string(wish) == "1";
-}
-
 }  // namespace
 
 TEST_CASE("every mistake is explained where it stands") {
@@ -36,8 +33,8 @@ TEST_CASE("every mistake is explained where it stands") {
       REQUIRE(std::filesystem::exists(test.input));  // an answer without its robot is run by nobody
       const std::string said = say(test);
       if (name.substr(0, 2) == "FM") CHECK(said.find("error[" + name.substr(0, 6) + "]") != std::string::npos);
-      if (is_updating() && read_text(test.expected) != said) std::ofstream(test.expected, std::ios::binary) << said;
-      CHECK(said == read_text(test.expected));
+      if (finemote::test::rewrites()) std::ofstream(test.expected, std::ios::binary) << said;
+      CHECK(said == finemote::test::read(test.expected));
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/model/offers.hpp"
+#include "tests/read.hpp"
 
 using namespace finemote::gen;
 using namespace finemote::test;
@@ -106,7 +107,7 @@ TEST_CASE("what the hints of all cases offer is taken") {
   std::size_t count = 0;
   for (const std::string& name : case_names()) {
     const Case test = find_case(name);
-    count += check_offers(test, read_text(test.input));
+    count += check_offers(test, finemote::test::read(test.input));
   }
   CHECK(count > 100);
 }

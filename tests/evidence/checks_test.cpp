@@ -10,6 +10,8 @@
 #include "tests/evidence/explanations.hpp"
 #include "tests/evidence/page.hpp"
 #include "tests/read.hpp"
+#include "tests/rewrites.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace finemote::evidence;
 using finemote::test::read;
@@ -106,17 +108,15 @@ TEST_CASE("a field or a key that nobody knows is said so") {
 }
 
 TEST_CASE("a vector that is not as the format says is said so, and the others are judged") {
-  const auto folder = std::filesystem::temp_directory_path() / "finemote_evidence_checks";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "c610.json") << R"([
+  const finemote::test::TemporaryFolder folder;
+  std::ofstream(folder.path("c610.json")) << R"([
     {"name": "odd", "bytes": "0g", "can_id": "0x201", "expected": {"angle_raw": 1}},
     {"name": "kind", "bytes": "03e8ff9c00642b00", "can_id": "0x201", "expected": {"angle_unwrapped_raw": {"a": 1}}},
     {"name": "key", "octets": "03e8ff9c00642b00", "can_id": "0x201", "expected": {}},
     {"name": "good", "bytes": "03e8ff9c00642b00", "can_id": "0x201", "expected": {"angle_raw": 1000}}])";
   std::vector<std::string> texts;
-  for (const Vector& vector : read_vectors(folder)) texts.push_back(judge(vector).text());
+  for (const Vector& vector : read_vectors(folder.path())) texts.push_back(judge(vector).text());
   CHECK(texts == std::vector<std::string>{"unknown-field", "differs", "unknown-field", "agree"});
-  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("every explanation is needed by a vector") {
@@ -136,6 +136,6 @@ TEST_CASE("the page of the evidence shows what the vectors come to") {
   const std::string sources = table_of_sources(read_vectors(kFolder));
   const std::string expected =
       with_table(with_table(page, "sources", sources), "explanations", table_of_explanations());
-  if (std::getenv("FINEMOTE_UPDATE_GOLDEN") != nullptr) std::ofstream(path, std::ios::binary) << expected;
+  if (finemote::test::rewrites()) std::ofstream(path, std::ios::binary) << expected;
   CHECK(read(path) == expected);
 }

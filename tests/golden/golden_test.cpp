@@ -1,6 +1,7 @@
 // Every example's generated files against the ones in the repository.
 #include "catch.hpp"
 #include "cli/program.hpp"
+#include "tests/rewrites.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -19,7 +20,7 @@ bool is_second_form(const std::string& robot) {
 }  // namespace
 
 TEST_CASE("every example generates the files that were reviewed") {
-  const bool update = std::getenv("FINEMOTE_UPDATE_GOLDEN") != nullptr;
+  const bool update = finemote::test::rewrites();
   for (const std::string& robot : example_robots()) {
     if (is_second_form(robot)) continue;
     INFO(robot);

@@ -12,6 +12,7 @@
 #include "generator/emit/value.hpp"
 #include "generator/tasks/from_robot.hpp"
 #include "source_dir.hpp"
+#include "tests/temporary_folder.hpp"
 #include "unit/robot_plan.hpp"
 
 using namespace finemote::gen;
@@ -22,16 +23,13 @@ namespace {
 /// A template with this text, for as long as the object lives.
 class TemplateFile {
  public:
-  explicit TemplateFile(const std::string& text, std::string name = "emit_test.in") : name_(std::move(name)) {
-    std::ofstream(folder_ / name_, std::ios::binary) << text;
+  explicit TemplateFile(const std::string& text, std::string name = "template.in") : name_(std::move(name)) {
+    std::ofstream(folder_.path(name_), std::ios::binary) << text;
   }
-  TemplateFile(const TemplateFile&) = delete;
-  TemplateFile& operator=(const TemplateFile&) = delete;
-  ~TemplateFile() { fs::remove(folder_ / name_); }
-  [[nodiscard]] std::string fill(const Data& data) const { return Templates(folder_.string()).fill(name_, data); }
+  [[nodiscard]] std::string fill(const Data& data) const { return Templates(folder_.path()).fill(name_, data); }
 
  private:
-  fs::path folder_ = fs::temp_directory_path();
+  finemote::test::TemporaryFolder folder_;
   std::string name_;
 };
 
@@ -110,7 +108,7 @@ TEST_CASE("a section of an empty list, or of what is false, leaves no second bla
 
 TEST_CASE("a hole that nobody fills is a bug, and names itself") {
   CHECK_THROWS_WITH(filled("{{y}}\n", Data("x", "1")),
-                    "template emit_test.in names 'y', which the emitter does not provide");
+                    "template template.in names 'y', which the emitter does not provide");
   CHECK_THROWS_WITH(Templates("/nowhere").fill("t.in", Data("x", "1")),
                     "cannot read '/nowhere/t.in', which belongs to finemote");
 }
@@ -126,7 +124,7 @@ TEST_CASE("every element of a list is looked at for what a template names") {
   list.push_back(Data("other", "two"));
   data.set("lines", list);
   CHECK_THROWS_WITH(filled("{{#lines}}{{text}}{{/lines}}\n", data),
-                    "template emit_test.in names 'text', which the emitter does not provide");
+                    "template template.in names 'text', which the emitter does not provide");
 }
 
 TEST_CASE("of three braces the first is one of C++") {

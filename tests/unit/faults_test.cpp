@@ -12,6 +12,7 @@
 #include "catch.hpp"
 #include "read.hpp"
 #include "source_dir.hpp"
+#include "tests/rewrites.hpp"
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -151,8 +152,7 @@ TEST_CASE("the page of the faults shows the table") {
   std::string page = read(path);
   const auto begin = page.find("| module | number |"), end = page.find("\n\n", begin);
   REQUIRE(end != std::string::npos);
-  const char* update = std::getenv("FINEMOTE_UPDATE_GOLDEN");
-  if (update != nullptr && std::string(update) == "1") {
+  if (finemote::test::rewrites()) {
     page.replace(begin, end + 1 - begin, made_table());
     std::ofstream(path, std::ios::binary) << page;
     return;

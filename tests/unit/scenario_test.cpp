@@ -22,6 +22,7 @@
 #include "generator/xml/read_source.hpp"
 #include "read.hpp"
 #include "source_dir.hpp"
+#include "tests/rewrites.hpp"
 
 using namespace finemote;
 using finemote::test::read;
@@ -30,11 +31,6 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 const std::string kSource = finemote::test::source_dir();
-
-bool rewrites() {
-  const char* wish = std::getenv("FINEMOTE_UPDATE_GOLDEN");
-  return wish != nullptr && std::string(wish) == "1";
-}
 
 /// A robot, kept with what it points into.
 struct Case {
@@ -147,7 +143,7 @@ bool takes_any(const std::string& key, const Json& mutant) {
 
 TEST_CASE("the JSON Schema of scenarios is the one made from the table") {
   const std::string path = kSource + "/schemas/scenario.schema.json", text = scenario::json_schema().dump(1) + "\n";
-  if (rewrites()) std::ofstream(path, std::ios::binary) << text;
+  if (finemote::test::rewrites()) std::ofstream(path, std::ios::binary) << text;
   INFO("FINEMOTE_UPDATE_GOLDEN=1 writes it anew");
   CHECK(read(path) == text);
 }
@@ -177,7 +173,7 @@ TEST_CASE("the reference page has the tables made from the table") {
     REQUIRE(end != std::string::npos);
     page.replace(at + begin.size(), end - at - begin.size(), "\n" + table + "\n");
   }
-  if (rewrites()) std::ofstream(path, std::ios::binary) << page;
+  if (finemote::test::rewrites()) std::ofstream(path, std::ios::binary) << page;
   INFO("FINEMOTE_UPDATE_GOLDEN=1 writes it anew");
   CHECK(read(path) == page);
 }

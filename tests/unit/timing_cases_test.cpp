@@ -11,6 +11,7 @@
 #include "generator/timing/profile.hpp"
 #include "generator/timing/read_model.hpp"
 #include "source_dir.hpp"
+#include "tests/read.hpp"
 
 using namespace finemote::gen;
 using namespace finemote::gen::timing;
@@ -25,13 +26,6 @@ std::vector<std::filesystem::path> case_files() {
   }
   std::sort(files.begin(), files.end());
   return files;
-}
-
-std::string read(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 /// Integers, strings, verdicts and nulls are equal; doubles within 1e-9. Returns the first difference.
@@ -67,7 +61,7 @@ TEST_CASE("every case matches exactly in both profiles") {
     INFO(path.filename().string());
     Sources sources;
     Diagnostics diagnostics;
-    const SourceFile* file = sources.add({path.filename().string(), "", read(path)});
+    const SourceFile* file = sources.add({path.filename().string(), "", finemote::test::read(path)});
     const auto model = read_model(*file, diagnostics);
     CHECK(render_text(diagnostics, false) == "");
     REQUIRE(model);

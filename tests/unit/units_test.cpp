@@ -1,6 +1,7 @@
 #include "generator/units/units.hpp"
 
 #include <clocale>
+#include <cstdlib>
 #include <limits>
 
 #include "catch.hpp"
@@ -165,8 +166,12 @@ TEST_CASE("numbers of params without conversion") {
 }
 
 TEST_CASE("no locale is consulted") {
-  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
-    WARN("de_DE.UTF-8 is not installed: tests/structure/locale_test.cpp alone has looked");
+  setenv("LOCPATH", FINEMOTE_LOCALES, 1);
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) {
+    WARN("there is no locale de_DE.UTF-8");
+    return;
+  }
+  REQUIRE(std::string(std::localeconv()->decimal_point) == ",");
   accepts(parse_real("1.5"), 1.5);
   accepts(parse_percent("2.5%"), 0.025);
   std::setlocale(LC_ALL, "C");

@@ -12,6 +12,7 @@
 #include "generator/xacro/expand_file.hpp"
 #include "generator/xacro/macro.hpp"
 #include "generator/xml/write.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace finemote::gen;
 namespace fs = std::filesystem;
@@ -39,22 +40,14 @@ Expanded expand(const std::string& content, const xacro::Arguments& arguments = 
 /// A folder of files that exists as long as the test needs it.
 class Folder {
  public:
-  Folder() : path_(fs::temp_directory_path() / "finemote_xacro_test") {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
   void add(const std::string& name, const std::string& content) const {
-    fs::create_directories((path_ / name).parent_path());
-    std::ofstream(path_ / name, std::ios::binary) << content;
+    fs::create_directories(fs::path(*this / name).parent_path());
+    std::ofstream(*this / name, std::ios::binary) << content;
   }
-  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  [[nodiscard]] std::string operator/(const std::string& name) const { return folder_.path(name); }
 
  private:
-  fs::path path_;
+  finemote::test::TemporaryFolder folder_;
 };
 
 struct Run {

@@ -7,6 +7,7 @@
 #include "generator/xml/parse.hpp"
 #include "generator/xml/read_source.hpp"
 #include "generator/xml/write.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace finemote::gen;
 
@@ -37,15 +38,11 @@ std::string place(const Position& at) { return std::to_string(at.line) + ":" + s
 /// A file that exists as long as the test needs it.
 class ScratchFile {
  public:
-  explicit ScratchFile(const std::string& content)
-      : path_(std::filesystem::temp_directory_path() / "finemote_xml_test") {
-    std::ofstream(path_, std::ios::binary) << content;
-  }
-  ~ScratchFile() { std::filesystem::remove(path_); }
-  [[nodiscard]] std::string path() const { return path_.string(); }
+  explicit ScratchFile(const std::string& content) { std::ofstream(path(), std::ios::binary) << content; }
+  [[nodiscard]] std::string path() const { return folder_.path("file"); }
 
  private:
-  std::filesystem::path path_;
+  finemote::test::TemporaryFolder folder_;
 };
 
 std::string read_error(const std::string& content) {
