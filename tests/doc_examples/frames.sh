@@ -2,7 +2,7 @@
 # `$which` is Wrong or Right. Sourced by run_examples.sh.
 
 # ---- command line and files
-any_robot() { example= robot '<device name="load" type="sim_load" period="10ms"/>'; }
+any_robot() { example= robot; }
 commands() { any_robot; eval "$example"; }
 frame_FM0001() { commands; }
 frame_FM0002() { commands; }
@@ -13,20 +13,20 @@ frame_FM0003() {
   generator() { cp good.urdf robot.urdf; }
   eval "$example"
 }
-frame_FM0004() { printf '<robot name="r">\n%b\n</robot>\n' "$example" >robot.urdf; ask; }
-frame_FM0011() { echo "$example" >finemote.json; mkdir parts; example='<device name="load" type="sim_load" period="10ms"/>'; robot; ask; }
+frame_FM0004() { printf '<robot name="r">\n%b\n</robot>\n' "$example" >robot.urdf; finemote xacro robot.urdf; }
+frame_FM0011() { echo "$example" >finemote.json; mkdir parts; example= robot; ask; }
 frame_FM2017() { echo "$example" >robot.urdf; finemote import robot.urdf; }
 
 # ---- XML and xacro
-frame_FM1001() { echo "$example" >robot.urdf; ask; }
+frame_FM1001() { echo "$example" >robot.urdf; finemote xacro robot.urdf; }
 frame_FM1002() {  # robot.urdf: <xacro:...>
-  xacro_robot "${example#*: }"
+  xacro_robot "${example#*: }<finemote version=\"1\"><board name=\"robomaster_type_c\"/>$load</finemote>"
   [ "${example%%:*}" = robot.urdf.xacro ] || mv robot.urdf.xacro robot.urdf
   finemote lint "${example%%:*}"
 }
 frame_FM1003() {
   if [ $which = Wrong ]; then { yes '<a>' | head -600; yes '</a>' | head -600; } >robot.urdf; else echo "$example" >robot.urdf; fi
-  ask
+  finemote xacro robot.urdf
 }
 xacro_with() { xacro_robot "$1
 $example"; finemote xacro robot.urdf.xacro; }
@@ -34,6 +34,7 @@ frame_FM1010() { xacro_with '<xacro:property name="weight" value="2"/>'; }
 frame_FM1011() { xacro_robot "$example<xacro:loop n=\"3\"/>"; finemote xacro robot.urdf.xacro; }
 frame_FM1012() { xacro_with '<xacro:macro name="arm" params="side"><xacro:unless value="${side in ['"'left', 'right'"']}">${xacro.fatal("no such side")}</xacro:unless></xacro:macro>'; }
 frame_FM1013() { xacro_with '<xacro:property name="x" value="2"/>'; }
+frame_FM1014() { xacro_robot; finemote xacro robot.urdf.xacro --package arm_description=.; }
 frame_FM1016() {
   mkdir ../arm_description.$$ && mkdir -p arm/arm_description
   rmdir ../arm_description.$$
@@ -91,24 +92,33 @@ prop='<link name="prop"/>'
 frame_FM2002() { with_links "$imu_link" "${example/ link=/ period=\"5ms\" link=}"; }
 frame_FM2003() { with_links "$prop${thruster/TYPE/continuous}" "${example/ joint=/ period=\"5ms\" joint=}"; }
 frame_FM2004() { with_links "$prop$example<parent link=\"base_link\"/><child link=\"prop\"/></joint>" '<device name="t" type="pwm_esc" period="5ms" bus="pwm" channel="0" joint="thruster_joint"/>'; }
-frame_FM2005() { echo "$example" >robot.urdf; ask; }
+frame_FM2005() {  # as the root element of a robot
+  local start=${example%/>}\>
+  local root=${start%% *}
+  example= robot
+  sed -i "s#<robot .*#$start#; s#</robot>#</${root#<}>#" robot.urdf
+  ask
+}
 frame_FM2006() {  # FinsROV with this thruster
   sed "s#<device name=\"thruster_1\" .*joint=[^>]*>#$example#" "$source/examples/finsrov.urdf" >robot.urdf
   ask
 }
-frame_FM2007() { links "$example"; ask; }
+frame_FM2007() { links "$example<joint name=\"elbow\" type=\"fixed\"><parent link=\"upper_arm\"/><child link=\"lower_arm\"/></joint>"; ask; }
 frame_FM2008() { with_links "$prop<joint name=\"j\" type=\"fixed\">$example<parent link=\"base_link\"/><child link=\"prop\"/></joint>" '<device name="load" type="sim_load" period="10ms"/>'; }
 frame_FM3084() { frame_FM2008; }
 frame_FM3085() { links "<link name=\"base_link\"/><link name=\"yaw_link\"/>$example" '<device name="load" type="sim_load" period="10ms"/>'; ask; }
 frame_FM2009() { with_links "$prop$example<parent link=\"base_link\"/><child link=\"prop\"/></joint>" '<device name="load" type="sim_load" period="10ms"/>'; }
-frame_FM2010() { links "<link name=\"base\"/><link name=\"wheel\"/><link name=\"left_wheel\"/><link name=\"right_wheel\"/>$example"; ask; }
+frame_FM2010() {  # with the links it names
+  links "$(grep -o 'link="[^"]*"' <<<"$example" | sort -u | sed 's#link=\(.*\)#<link name=\1/>#')$example"
+  ask
+}
 
 # ---- the extension
 block_with() { printf '<robot name="rover">\n<link name="base_link"/>\n%s\n<board name="robomaster_type_c"/>\n<device name="load" type="sim_load" period="10ms"/>\n</finemote>\n</robot>\n' "$example" >robot.urdf; ask; }
 frame_FM3002() { block_with; }
 frame_FM3003() { block_with; }
 open_device() { robot "$example</device>"; ask; }  # the page shows a start tag
-frame_FM3004() { open_device; }
+frame_FM3004() { of_example finsrov 'device name="rov"'; }
 frame_FM3006() { robot "$example<device name=\"load\" type=\"sim_load\" period=\"10ms\"/>"; ask; }
 frame_FM3007() { frame_FM3006; }
 in_device() {  # START: the example inside this device
@@ -139,10 +149,10 @@ frame_FM3024() {
 frame_FM3025() { in_device "$esc"; }
 frame_FM3026() { in_device "$depth"; }
 frame_FM3027() { in_device "$esc"; }
-frame_FM3028() { open_device; }
+frame_FM3028() { of_example finsrov 'device name="rov"'; }
 frame_FM3032() { in_device '<device name="load" type="sim_load" period="10ms">'; }
 frame_FM3041() { robot "<device name=\"rov\" type=\"group\" period=\"10ms\"/>$example"; ask; }
-frame_FM3044() { robot "<device name=\"remote\" type=\"dr16\" period=\"10ms\"/><device name=\"base\" type=\"mecanum_chassis\" period=\"10ms\">$example</device>"; ask; }
+frame_FM3044() { of_example infantry 'reads device="remote"'; }
 frame_FM3049() { robot "$example<device name=\"load\" type=\"sim_load\" period=\"10ms\"/>"; ask; }
 mecanum() {  # [PARAMS]: an example in place of the front left wheel's axis, or among the chassis' params
   local name x y links= wheels= id=0
@@ -166,10 +176,7 @@ servo_at='<bus name="led" type="pwm" port="pwm1"/><device name="servo" type="pwm
 frame_FM2012() { links "<link name=\"base_link\">$example</link>" '<device name="load" type="sim_load" period="10ms"/>'; ask; }
 frame_FM2013() { with_joint continuous '' "$servo_at"; }
 frame_FM2014() { with_joint revolute '' "$servo_at"; }
-frame_FM2015() {  # FinsROV with this start tag
-  sed "s#<device name=\"rov\" .*#$example#" "$source/examples/finsrov.urdf" >robot.urdf
-  ask
-}
+frame_FM2015() { of_example finsrov 'device name="rov"'; }
 hull() {  # GEOMETRY AXIS: two thrusters
   local links= axis n=0
   mkdir -p devices
@@ -185,7 +192,7 @@ frame_FM3158() { hull "$example" '<axis xyz="0 0 1"/>'; }
 frame_FM3159() { hull '"geometry": [{ "kind": "allocation", "role": "thrusters" }]' "$example"; }
 frame_FM3160() { with_joint revolute '' "$servo_at"; }
 of_example() {  # NAME TAG: this tag of an example is that of the page
-  sed "s#<$2.*#$example#" "$source/examples/$1.urdf" >robot.urdf
+  sed "s#<$2.*#${example//$'\n'/ }#" "$source/examples/$1.urdf" >robot.urdf
   ask
 }
 frame_FM3163() { of_example infantry 'device name="imu"'; }
@@ -208,21 +215,35 @@ frame_FM3169() {
   with_links "<joint name=\"tilt\" type=\"continuous\"><parent link=\"base_link\"/><child link=\"head_link\"/></joint><link name=\"head_link\"/><ros2_control name=\"head\" type=\"actuator\"><joint name=\"tilt\">$example</joint></ros2_control>" '<bus name="pwm" type="pwm" port="pwm1"/><device name="head" type="pwm_servo" period="10ms" bus="pwm" channel="0" joint="tilt"/>'
 }
 frame_FM3157() { mecanum "$example"; }
-finsrov_child() { local child=$example; robot "<device name=\"rov\" type=\"finsrov\" period=\"20ms\">$child</device>"; ask; }
-frame_FM3051() { finsrov_child; }
-frame_FM3054() { finsrov_child; }
-frame_FM3052() {
-  local child=$example
-  servo <<<', "roles": [{ "name": "left", "interface": "Motor" }, { "name": "right", "interface": "Motor" }]'
-  example=$child
-  robot "<device name=\"base\" type=\"servo\" period=\"10ms\">$child</device>"
+# a device type `servo` of the user's with these roles, which takes the place of the example's `finsrov`
+with_roles() {
+  local text=${example//finsrov/servo}
+  servo <<<", \"roles\": [$1]"
+  example=$text
+}
+frame_FM3051() {
+  with_roles '{ "name": "depth", "interface": "Pressure" }'
+  robot "<device name=\"rov\" type=\"servo\" period=\"20ms\">$example</device>"
   ask
 }
-frame_FM3057() { open_device; }
-frame_FM3061() { robot; ask; }
+frame_FM3054() {
+  with_roles '{ "name": "imu", "interface": "Imu", "min": 0 }, { "name": "depth", "interface": "Pressure", "min": 0 }'
+  robot "<device name=\"rov\" type=\"servo\" period=\"20ms\">$example</device>"
+  ask
+}
+frame_FM3056() {
+  with_roles '{ "name": "imu", "interface": "Imu", "max": 1 }'
+  robot "$(grep -v '\.\.\.' <<<"$example")"
+  ask
+}
+frame_FM3052() {
+  with_roles '{ "name": "left", "interface": "Motor" }, { "name": "right", "interface": "Motor" }'
+  robot "<device name=\"base\" type=\"servo\" period=\"10ms\">$example</device>"
+  ask
+}
+frame_FM3057() { robot "$example<device name=\"load\" type=\"sim_load\"/></device>"; ask; }
 frame_FM3062() { example="<bus name=\"i2c\" type=\"i2c\" port=\"i2c2\"/>$example"; robot; ask; }
 frame_FM3065() { robot "<bus name=\"i2c\" type=\"i2c\" port=\"i2c2\"/><expander name=\"mux\" model=\"tca9548a\" bus=\"i2c\" address=\"0x70\">$example</expander>"; ask; }
-frame_FM3068() { example=${example//\/>/ period=\"1ms\"/>}; robot; ask; }
 host_line='<device name="ears" type="servo" period="10ms">'
 frame_host() {
   local use=$example
@@ -254,12 +275,16 @@ frame_FM3072() { frame_host; }
 frame_FM3073() { frame_host; }
 frame_FM3071() {
   local text=${example/my_imu/servo}
-  servo <<<', "bus": { "types": ["spi"], "channel": {}, "required": true }, "uses": [{ "name": "select", "types": ["gpio"], "min": 1, "function": "output" }]'
+  servo <<<', "bus": { "types": ["spi"], "channel": {}, "required": true }, "uses": [{ "name": "reset", "types": ["gpio"], "min": 1, "function": "output" }]'
   example="<bus name=\"spi\" type=\"spi\" port=\"spi2\" clock=\"5250kHz\"/>${text/ bus=/ period=\"10ms\" bus=}"
   robot
   ask
 }
-frame_FM3074() { robot "<bus name=\"i2c\" type=\"i2c\" port=\"i2c2\"/><expander name=\"outer\" model=\"tca9548a\" bus=\"i2c\" address=\"0x70\"><channel index=\"0\" name=\"segment_0\"/></expander>$example"; ask; }
+frame_FM3074() {
+  example="<bus name=\"i2c\" type=\"i2c\" port=\"i2c2\"/><expander name=\"outer\" model=\"tca9548a\" bus=\"i2c\" address=\"0x70\"><channel index=\"0\" name=\"segment_0\"/></expander>$example"
+  robot
+  ask
+}
 rov_with_imu='<device name="rov" type="group" period="10ms"><device name="imu" type="sim_load"><wcet update="10us" handle="5us"/></device><device name="thruster_1" type="sim_load"><wcet update="10us" handle="5us"/></device></device>'
 frame_FM3081() { robot "${rov_with_imu//\"group\"/\"sim_load\"}${example/rov.thrusters/rov.children}"; ask; }
 frame_FM3082() { robot "$rov_with_imu$example"; ask; }
@@ -267,11 +292,20 @@ frame_FM3082() { robot "$rov_with_imu$example"; ask; }
 frame_FM3170() { servo <<<", ${example//$'\n'/ }"; ask; }
 
 # ---- descriptors
-as_descriptor() { mkdir -p devices; echo '#pragma once' >devices/servo.hpp; echo "$1" >devices/servo.json; example= robot '<device name="servo" type="servo" period="10ms"/>'; ask; }
-frame_FM3101() { as_descriptor "$example"; }
-frame_FM3102() { servo <<<", \"roles\": [$example]"; ask; }
+as_descriptor() {  # MEMBERS that the example lacks
+  local text=$example
+  servo </dev/null
+  echo "${text%\}}, $1 }" >devices/servo.json
+  ask
+}
+frame_FM3101() { as_descriptor '"schema": "finemote.device/1", "summary": "x", "header": "servo.hpp"'; }
+frame_FM3102() {
+  with_roles "$example"
+  robot '<device name="base" type="servo" period="10ms"><device name="load" type="sim_load" role="arm"/></device>'
+  ask
+}
 frame_FM3103() { servo <<<", \"params\": [$example]"; ask; }
-frame_FM3104() { as_descriptor "$example"; }
+frame_FM3104() { as_descriptor '"type": "servo", "summary": "x", "class": "Servo", "header": "servo.hpp"'; }
 frame_FM3105() { local header=$example; servo <<<''; sed -i "s#\"header\": \"servo.hpp\"#${header//[\{\}]/}#" devices/servo.json; ask; }
 frame_FM3106() { servo <<<''; sed "s/servo/$(basename "$example" .json)/" devices/servo.json >"$example"; ask; }
 frame_FM3107() { local member=${example#*: }; servo <<<''; sed -i "s#\"type\": \"servo\"#${member//[\{\}]/}#" devices/servo.json; ask; }
@@ -286,7 +320,7 @@ frame_FM3156() { robot "$example<device name=\"load\" type=\"sim_load\" period=\
 
 # ---- timing
 frame_FM4001() { echo "$example" >model.json; finemote analyze model.json; }
-frame_FM4002() { echo "{\"model\": $example}" >model.json; finemote analyze model.json; }
+frame_FM4002() { model "${example//[\{\}]/}, $one_device"; }
 a_device() { model "\"tick_ns\": 1000, \"devices\": [$1]"; }
 frame_FM4003() { model "\"tick_ns\": 1000, \"devices\": [{\"name\": \"a\", \"parent\": null, ${example//[\{\}]/}, \"update_wcet_ns\": 1, \"handle_wcet_ns\": 1}]"; }
 frame_FM4004() { a_device "${example/\{/\{ \"parent\": null,}"; }
@@ -325,15 +359,13 @@ frame_FM5009() { generated; }
 frame_FM5010() { generated; }
 frame_FM5011() { generated; }
 frame_FM5012() { example= robot '<bus name="idle" type="can" port="can1" bitrate="1Mbit/s"/><device name="load" type="sim_load" period="10ms"/>'; eval "$example"; }
-# the superuser can read everything: as somebody else
+# as somebody whom permissions hold: the superuser without the right to pass over them
 frame_FM5006() {
   any_robot
   finemote -q generate robot.urdf -o out
-  chmod -R a+rwX "$PWD"
-  [ "$(id -u)" != 0 ] || finemote() { setpriv --reuid 65534 --clear-groups "$(type -P finemote)" "$@"; }
+  [ "$(id -u)" != 0 ] || become=(setpriv --bounding-set=-dac_override,-dac_read_search --inh-caps=-dac_override,-dac_read_search)
   eval "$example"
   chmod 755 out
-  unset -f finemote
 }
 frame_FM5001() { any_robot; finemote generate robot.urdf -o out; [ $which = Right ] || sed -i 's/schema/shcema/' out/finemote.manifest.json; eval "$example"; }
 frame_FM5002() { any_robot; mkdir elsewhere; ln -s elsewhere out; eval "$example"; }
