@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 rm -rf "$1" && mkdir -p "$1/bin"
 work=$(cd "$1" && pwd)
-cp dev "$work/dev"
+cp --parents dev tests/settings_of_users.txt "$work"
 cd "$work"
 
 fail() { echo "FAIL: $1"; cat said; exit 1; }
@@ -20,7 +20,7 @@ says() {
 
 # Nothing is installed, and nothing may be.
 printf '#!/bin/sh\nexit 1\n' >bin/dpkg-query
-for tool in apt-get sudo cmake ctest; do printf '#!/bin/sh\necho "%s $*" >>"%s/called"\n' $tool "$work" >bin/$tool; done
+for tool in apt-get sudo cmake ctest; do printf '#!/bin/sh\necho "%s $* $CXXFLAGS" >>"%s/called"\n' $tool "$work" >bin/$tool; done
 chmod +x bin/*
 
 says 0 --help
@@ -38,8 +38,10 @@ for word in setup build demo test bench golden docs package campaign experiment;
 done
 [ ! -e called ] || fail "$(cat called) was called"
 
-# Whatever is missing is installed with one call.
+# Whatever is missing is installed with one call. No setting of whoever runs this is heard of.
+export CXXFLAGS=-theirs
 says 0 setup
+! grep -e -theirs called || fail "CXXFLAGS reach what is built"
 grep -q '^apt-get update' called || fail "no lists"
 grep -q '^apt-get install .*cmake.*gcc-arm-none-eabi' called || grep -q '^sudo env .*apt-get install .*cmake.*gcc-arm-none-eabi' called ||
   fail "nothing installed"

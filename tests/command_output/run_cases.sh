@@ -5,14 +5,14 @@
 # on stderr, then on stdout if anything does, then the exit status. The number must be among what is said.
 # FINEMOTE_UPDATE_GOLDEN=1 rewrites.
 set -u
+. "$(dirname "$0")/../common.sh"
 finemote=$(realpath "$1")
 source=$(realpath "$2")
 selection=$3
 cases=$(cd "${4:-$(dirname "$0")}" && pwd)
 pattern=${5:-*}
 PATH=$(dirname "$finemote"):$PATH
-export source cases LC_ALL=C
-unset NO_COLOR FINEMOTE_DATA ROS_PACKAGE_PATH AMENT_PREFIX_PATH
+export source cases
 failed=0
 passed=0
 

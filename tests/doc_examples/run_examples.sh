@@ -3,11 +3,11 @@
 # produce the code of the page; with the right one nothing may be an error. A fragment is put into a small robot: frames.sh says
 # how, where what is done here for all does not do.
 set -u
+. "$(dirname "$0")/../common.sh"
 finemote=$(realpath "$1")
 source=$(realpath "$2")
 PATH=$(dirname "$finemote"):$PATH
-export LC_ALL=C source
-unset NO_COLOR FINEMOTE_DATA ROS_PACKAGE_PATH AMENT_PREFIX_PATH
+export source
 here=$(cd "$(dirname "$0")" && pwd)
 
 # Pages whose examples stand for something that cannot be run in a moment: their codes have cases in tests/command_output and

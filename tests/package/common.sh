@@ -5,6 +5,7 @@ work=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 PATH=$prefix/bin:$PATH
 toolchain=$prefix/share/finemote/cmake/toolchain-arm-none-eabi.cmake
+export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null  # no settings of whoever runs the test
 export CCACHE_BASEDIR=  # paths stay as they are in a build without ccache
 checks=0
 

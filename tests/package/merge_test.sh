@@ -2,7 +2,7 @@
 # Two branches change the robot: Git merges no generated source, and the folder is made anew as .gitattributes and hints say.
 . "$(dirname "$0")/common.sh"
 cd "$work"
-export GIT_CONFIG_GLOBAL=/dev/null GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@example.org GIT_COMMITTER_NAME=a \
+export GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@example.org GIT_COMMITTER_NAME=a \
   GIT_COMMITTER_EMAIL=a@example.org
 cat >rover.urdf <<'X'
 <robot name="rover">
