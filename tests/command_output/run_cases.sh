@@ -93,7 +93,7 @@ hull() {
   done
   printf '    </device>\n'
 }
-export -f timed_button robot xacro_robot probe_robot joint jointed_robot pwm_expander hull_type hull
+export -f as_somebody timed_button robot xacro_robot probe_robot joint jointed_robot pwm_expander hull_type hull
 
 say() {  # the whole answer of one case
   local status=0
