@@ -5,11 +5,10 @@ finemote=$(realpath "$1")
 work=$(mktemp -d)
 trap 'kill "${watcher:-}" 2>/dev/null || true; rm -rf "$work"' EXIT
 cd "$work"
-answers=0
 
 fail() { printf 'FAILED %s\n' "$*"; cat said errors; exit 1; }
 
-# answered WHAT PATTERN: one more answer comes, and holds the pattern.
+# answered WHAT PATTERN: one more answer comes, and its lines, which the one that says "watching" ends, hold the pattern.
 answered() {
   answers=$((answers + 1))
   for _ in $(seq 300); do
@@ -17,16 +16,19 @@ answered() {
     sleep 0.1
   done
   [ "$(grep -c '^watching' errors || true)" -eq $answers ] || fail "$1: not $answers answers"
-  tail -n 9 said errors | grep -q -- "$2" || fail "$1: no '$2'"
+  { tail -n +$((said_before + 1)) said; tail -n +$((errors_before + 1)) errors; } >answer
+  grep -q -- "$2" answer || fail "$1: no '$2' in: $(cat answer)"
+  said_before=$(wc -l <said) errors_before=$(wc -l <errors)
 }
 
-# For another watcher, which empties the files of the last one some time after it was started.
+# For a watcher, which empties its files some time after it was started: counts of answers so far, and of their lines in each file.
 begin_anew() {
-  answers=0
+  answers=0 said_before=0 errors_before=0
   : >said
   : >errors
 }
 
+begin_anew
 mkdir devices
 robot() {
   printf '<robot name="r"><finemote version="1"><board name="robomaster_type_c"/>
@@ -46,12 +48,12 @@ echo '// mine' >>out/buses.cpp
 answered "an edited file" 'hand-edited .*buses.cpp'
 echo '{ "board": "host" }' >settings.new
 mv settings.new finemote.json
-answered "settings that came" 'stale'
+answered "settings that came" 'generate .* --board host'
 robot 20
 answered "a mistake" 'FM3030'
 robot 20ms
 answered "mended" 'hand-edited'
-sleep 0.5
+sleep 1  # ten times as long as it waits between two looks
 [ "$(grep -c '^watching' errors)" -eq $answers ] || fail "answers without a change"
 kill -0 $watcher || fail "it ended by itself"
 ! "$finemote" check - -o out --watch <robot.urdf 2>/dev/null || fail "standard input was watched"

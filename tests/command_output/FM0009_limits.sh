@@ -2,7 +2,7 @@
 mkfifo slowly
 finemote xacro - --sandbox <slowly & tool=$!
 exec 3>slowly
-until grep -q 'Max cpu time  *60 ' "/proc/$tool/limits"; do sleep 0.01; done
+while kill -0 $tool && ! grep -q 'Max cpu time  *60 ' "/proc/$tool/limits"; do sleep 0.01; done
 kill -XCPU $tool; wait $tool; echo "time: $?"
 exec 3>&-
 { echo '<robot name="rover">'; seq -f '  <link name="link_%.0f"/>' 500000; echo '</robot>'; } >large.urdf
