@@ -244,7 +244,7 @@ OptionList options_of_xacro() {
                sandbox(),
                {{"--deps", &Options::deps, "print the names of all files read"},
                 {"-i,--inorder", &Options::in_order, "accepted for compatibility: processing is always in order"},
-                {"--verbosity", &Options::verbosity, "0: no warnings, 1: default, 2 and above: more"}}});
+                {"--verbosity", &Options::verbosity, "0: no warnings; 1 and above: warnings, the default"}}});
 }
 
 OptionList options_of_analyze() {
