@@ -28,7 +28,7 @@ std::optional<std::vector<std::string>> parse_silicon(const std::string& text, g
   if (text.empty()) return std::vector<std::string>();
   if (text == kStrict) return known;
   const std::string prefix = std::string(kStrict) + ":";
-  if (text.rfind(prefix, 0) != 0) {
+  if (text.rfind(prefix, 0) != 0 || text == prefix) {
     diagnostics.error(gen::code::usage, {}, fmt::format("there is no silicon '{}'", text))
         .hint("write 'strict', or 'strict:' and names, for example --silicon strict:dma_store,spi_busy");
     return std::nullopt;

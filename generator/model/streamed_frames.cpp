@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/descriptor/runtime_limits.hpp"
 #include "generator/model/connection.hpp"
 #include "generator/model/part_clock.hpp"
@@ -47,18 +48,27 @@ Duration longest_look(const Device& device) {
   return device.period > floor_div(Duration::max(), 2) ? Duration::max() : 2 * device.period;
 }
 
-/// Of the devices on a line: `usual` for one whose count is 0, and 0 without any.
-template <typename Count>
-std::int64_t most_on_line(const Robot& robot, BusId line, std::int64_t usual, const Count& count) {
+/// Of the devices on a line: what is usual for one whose count is 0, and 0 without any.
+template <typename Usual, typename Count>
+std::int64_t most_on_line(const Robot& robot, BusId line, const Usual& usual, const Count& count) {
   const auto is_there = [&](const Connection& connection) { return robot.segments[connection.segment].bus == line; };
   std::int64_t most = 0;
   for (const Device& device : robot.devices) {
     const std::vector<Connection> connections = connections_of(device);
     if (std::none_of(connections.begin(), connections.end(), is_there)) continue;
     const std::int64_t counted = count(device);
-    most = std::max(most, counted > 0 ? counted : usual);
+    most = std::max(most, counted > 0 ? counted : usual(device));
   }
   return most;
+}
+
+/// Of a part of which nobody says what it sends: all that the line can bring meanwhile, within reason.
+std::int64_t usual_bytes(const Bus& line, Duration window) {
+  constexpr std::int64_t kLeast = 256, kMost = 1024, kBitsPerByte = 10;
+  if (!bus_type(line.kind).has_two_lines) return kLeast;  // parts answer only
+  const Duration most_counted = seconds(1);
+  const std::int64_t bytes = floor_div(std::min(window, most_counted) * line.rate, seconds(kBitsPerByte)) + 1;
+  return std::clamp(bytes, kLeast, kMost);
 }
 
 }  // namespace
@@ -68,15 +78,15 @@ std::int64_t frames_in(const Robot& robot, const Device& device, Duration window
 }
 
 std::int64_t line_events(const Robot& robot, BusId line) {
-  constexpr std::int64_t kUsual = 16;  // of a part of which nobody says what it sends
-  return most_on_line(robot, line, kUsual, [&](const Device& device) {
+  const auto usual = [](const Device&) { return std::int64_t{16}; };  // nobody says what the part sends
+  return most_on_line(robot, line, usual, [&](const Device& device) {
     return most_frames(robot, device) + sum_over_answers(robot, device, line, [](const Frame&) { return 1; });
   });
 }
 
 std::int64_t received_bytes(const Robot& robot, BusId line) {
-  constexpr std::int64_t kUsual = 256;
-  return most_on_line(robot, line, kUsual, [&](const Device& device) {
+  const auto usual = [&](const Device& device) { return usual_bytes(robot.buses[line], longest_look(device)); };
+  return most_on_line(robot, line, usual, [&](const Device& device) {
     const std::int64_t streamed = sum_over_streams(device, [&](const Frame& frame) {
       return frames_in(robot, device, frame, longest_look(device)) * frame.read_bytes;
     });

@@ -20,7 +20,7 @@ std::int64_t most_frames(const Robot& robot, const Device& device);
 std::int64_t line_events(const Robot& robot, BusId line);
 
 /// Bytes that a serial line brings from one look of its device to the next: the frames there can be in two periods,
-/// answers among them. A usual number where nobody says what comes.
+/// answers among them. Where nobody says what comes, what the line can bring, 256 at least and 1024 at most.
 std::int64_t received_bytes(const Robot& robot, BusId line);
 
 /// Size of the ring that keeps them: a power of two.

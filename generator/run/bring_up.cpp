@@ -2,9 +2,27 @@
 
 #include <algorithm>
 
+#include "generator/model/connection.hpp"
 #include "generator/run/emulation.hpp"
 
 namespace finemote::gen {
+namespace {
+
+/// The set-up of the shipped part with most steps, one in a job, is over in so many.
+constexpr std::int64_t kMostSetUpJobs = 20;
+/// More is not waited for a part that may never come.
+constexpr Duration kLongestSetUp = seconds(100);
+
+/// A part that is asked, or an expander, is set up step by step.
+bool is_set_up_by_jobs(const Robot& robot, const Device& device) {
+  if (device.type->acquisition) return true;
+  const std::vector<Connection> connections = connections_of(device);
+  return std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
+    return robot.segments[connection.segment].kind == Segment::Kind::pwm_expander;
+  });
+}
+
+}  // namespace
 
 nlohmann::ordered_json awaited_parts(const Robot& robot) {
   auto list = nlohmann::ordered_json::array();
@@ -29,6 +47,8 @@ Duration longest_bring_up(const Robot& robot) {
   Duration longest = std::max(Acquisition().bring_up, shortest_bring_up(robot));
   for (const Device& device : robot.devices) {
     if (device.type->acquisition) longest = std::max(longest, device.type->acquisition->bring_up);
+    if (is_set_up_by_jobs(robot, device))
+      longest = std::max(longest, std::min(kMostSetUpJobs * device.period, kLongestSetUp));
   }
   return longest;
 }

@@ -14,7 +14,7 @@ nlohmann::ordered_json awaited_parts(const Robot& robot);
 /// The longest `bring_up_ns` of a type whose part nobody can see to be up.
 Duration shortest_bring_up(const Robot& robot);
 
-/// The longest `bring_up_ns` of a descriptor, or what is usual.
+/// The longest `bring_up_ns` of a descriptor, or what is usual; more where slow jobs set a part up.
 Duration longest_bring_up(const Robot& robot);
 
 }  // namespace finemote::gen

@@ -15,6 +15,9 @@ namespace {
 constexpr std::int64_t kMostPairEntries = std::int64_t{1}
                                           << 18;  ///< pairs of leaves times root releases looked at for each
 
+/// So many times as many pairs are looked at one by one where groups cannot stand in.
+constexpr std::size_t kMoreWithReads = 8;
+
 std::optional<Duration> sum(std::optional<Duration> a, std::optional<Duration> b) {
   return a && b ? std::optional<Duration>(*a + *b) : std::nullopt;
 }
@@ -88,17 +91,29 @@ std::vector<ChainResult> ChainAnalysis::worst_of_pairs(const std::vector<Rank>& 
   return results;
 }
 
-/// Whether the data of each have a bound, and all jobs on their ways to the root do.
-bool ChainAnalysis::all_reach_root(const std::vector<Rank>& sources) const {
+/// The same for large trees with ways through reads: in closed form, which is never smaller.
+std::vector<ChainResult> ChainAnalysis::worst_in_closed_form(Rank root, const std::vector<Rank>& sources,
+                                                             const std::vector<Rank>& terminals) const {
+  const Table<Rank, DecisionAnalysis::WayUp> ways = decisions_.ways_up(root);
+  const auto age_of = [&](Rank source) { return sum(acquire_[source], ways[source].age); };
+  const Rank oldest =
+      *std::max_element(sources.begin(), sources.end(), [&](Rank a, Rank b) { return less(age_of(a), age_of(b)); });
+  std::vector<ChainResult> results;
+  for (const Rank to : terminals) results.push_back(complete(oldest, to, decisions_.decide(ways[oldest], to)));
+  return results;
+}
+
+/// The first whose data have no bound, or a job on their way to the root.
+std::optional<Rank> ChainAnalysis::first_unbounded(const std::vector<Rank>& sources) const {
   Table<Rank, bool> is_seen(model_.devices.size());
   for (const Rank source : sources) {
-    if (!acquire_[source]) return false;
+    if (!acquire_[source]) return source;
     for (std::optional<Rank> d = source; d && !is_seen[*d]; d = model_.devices[*d].parent) {
-      if (!profile_.responses.ok(profile_.set.bucket_of[*d])) return false;
+      if (!profile_.responses.ok(profile_.set.bucket_of[*d])) return source;
       is_seen[*d] = true;
     }
   }
-  return true;
+  return std::nullopt;
 }
 
 /// The same for large trees: per root release the oldest sample of any source, then per terminal its latest use.
@@ -109,7 +124,11 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::ve
     walk_tree(model_, topology_, profile_.responses, profile_.set, profile_.table, root, *profile_.hand_overs, effort_,
               visit);
   };
-  const bool complete_tree = all_reach_root(leaves);
+  std::vector<ChainResult> results;
+  if (const std::optional<Rank> unbounded = first_unbounded(leaves)) {
+    for (const Rank to : terminals) results.push_back(bound(*unbounded, to));
+    return results;
+  }
   OldestSources sources(model_.devices[root].period, effort_);
   walk_groups([&](const HandOverGroup& group) {
     OldestSources::Oldest best;
@@ -134,10 +153,9 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::ve
       found.emplace(d, complete(worst.source, d, {decide, is_closed, false}));
     }
   });
-  std::vector<ChainResult> results;
   for (const Rank to : terminals) {
     const auto entry = found.find(to);
-    results.push_back(entry != found.end() && complete_tree ? entry->second : complete(leaves.front(), to, {}));
+    results.push_back(entry != found.end() ? entry->second : complete(leaves.front(), to, {}));
   }
   return results;
 }
@@ -169,12 +187,11 @@ std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<Rank>& source
   // Groups know tree edges only, and another way may be older.
   const bool is_known =
       !reach_.reads_in_tree_of(root) && !leaves.empty() && others.size() * terminals.size() <= most_pairs_;
-  std::vector<ChainResult> results;
   if (!is_known) {
-    for (const Rank to : terminals) results.push_back(complete(sources.front(), to, {}));
-    return results;
+    const bool are_few = pairs <= kMoreWithReads * most_pairs_ && entries <= kMostPairEntries / static_cast<std::int64_t>(pairs);
+    return are_few ? worst_of_pairs(sources, terminals) : worst_in_closed_form(root, sources, terminals);
   }
-  results = worst_of_groups(root, leaves, terminals);
+  std::vector<ChainResult> results = worst_of_groups(root, leaves, terminals);
   if (others.empty()) return results;
   const std::vector<ChainResult> measured = worst_of_pairs(others, terminals);
   for (std::size_t i = 0; i < results.size(); ++i) {

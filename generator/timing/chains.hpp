@@ -46,8 +46,8 @@ class ChainAnalysis {
 
   /// For every leaf that takes a command (every root where its tree has none): the chain from the oldest data its
   /// command can rest on, of all sources whose data reach it, over `reads` edges too. A source has no children, or
-  /// samples of its own. Where too many pairs would have to be looked at and groups of them cannot stand in, the chain
-  /// is without bounds. Throws Overflow.
+  /// samples of its own. Where too many pairs would have to be looked at and groups of them cannot stand in, closed
+  /// forms do. Throws Overflow.
   [[nodiscard]] std::vector<ChainResult> defaults() const;
 
   /// The same for every device below another that takes a command, leaf or not. Throws Overflow.
@@ -61,7 +61,9 @@ class ChainAnalysis {
   [[nodiscard]] ChainResult complete(Rank from, Rank to, const Decision& decision) const;
   [[nodiscard]] std::vector<ChainResult> worst_of_pairs(const std::vector<Rank>& sources,
                                                         const std::vector<Rank>& terminals) const;
-  [[nodiscard]] bool all_reach_root(const std::vector<Rank>& sources) const;
+  [[nodiscard]] std::vector<ChainResult> worst_in_closed_form(Rank root, const std::vector<Rank>& sources,
+                                                              const std::vector<Rank>& terminals) const;
+  [[nodiscard]] std::optional<Rank> first_unbounded(const std::vector<Rank>& sources) const;
   [[nodiscard]] std::vector<ChainResult> worst_of_groups(Rank root, const std::vector<Rank>& leaves,
                                                          const std::vector<Rank>& terminals) const;
   [[nodiscard]] std::vector<ChainResult> worst_of(const std::vector<Rank>& sources,

@@ -166,32 +166,84 @@ Duration DecisionAnalysis::walk(const Route& r, std::int64_t entries) const {
   return worst;
 }
 
-/// Per edge the largest age data can have, T_producer - g + g ceil(r/g); over several routes the largest sum.
+/// The largest age that data can have where they are handed over: T_producer - g + g ceil(r/g).
+/// @param there  when they are there, from the producer's release on
+Duration DecisionAnalysis::hop(Rank producer, Rank consumer, Duration there) const {
+  const Duration from = model_.devices[producer].period, to = model_.devices[consumer].period;
+  if (from == to) return producer < consumer ? Duration::zero() : from;
+  const Duration common = gcd(from, to);
+  return from - common + (from > to ? round_up(there, common) : Duration::zero());
+}
+
+Duration DecisionAnalysis::hop_up(Rank producer, Rank consumer) const {
+  const Duration lag = profile_.set.lag_of_update(producer, model_.devices[consumer].period);
+  return hop(producer, consumer, profile_.responses.r_plus[producer] + lag);
+}
+
+Duration DecisionAnalysis::hop_down(Rank producer, Rank consumer) const {
+  const Duration period = model_.devices[consumer].period;
+  if (model_.devices[producer].period == period) return Duration::zero();
+  return hop(producer, consumer, profile_.responses.r_minus[producer] + profile_.set.lag_of_handle(producer, period));
+}
+
+/// Of each edge the largest; over several routes the largest sum.
 Duration DecisionAnalysis::closed_form(const Route& r) const {
-  const auto hop = [&](Rank producer, Rank consumer, Duration there) {
-    const Duration from = model_.devices[producer].period, to = model_.devices[consumer].period;
-    if (from == to) return producer < consumer ? Duration::zero() : from;
-    const Duration common = gcd(from, to);
-    return from - common + (from > to ? round_up(there, common) : Duration::zero());
-  };
-  const auto period = [&](Rank d) { return model_.devices[d].period; };
-  const TaskSet& set = profile_.set;
   Duration age;
-  for (std::size_t k = 1; k < r.down.size(); ++k) {
-    const Rank producer = r.down[k - 1], consumer = r.down[k];
-    if (period(producer) == period(consumer)) continue;
-    age +=
-        hop(producer, consumer, profile_.responses.r_minus[producer] + set.lag_of_handle(producer, period(consumer)));
-  }
+  for (std::size_t k = 1; k < r.down.size(); ++k) age += hop_down(r.down[k - 1], r.down[k]);
   std::vector<Duration> oldest(r.up.size());
   for (std::size_t k = 1; k < r.up.size(); ++k) {
-    const Rank producer = r.up[k];
-    for (const std::size_t c : r.consumers[k]) {
-      const Duration there = profile_.responses.r_plus[producer] + set.lag_of_update(producer, period(r.up[c]));
-      oldest[k] = std::max(oldest[k], oldest[c] + hop(producer, r.up[c], there));
-    }
+    for (const std::size_t c : r.consumers[k]) oldest[k] = std::max(oldest[k], oldest[c] + hop_up(r.up[k], r.up[c]));
   }
   return age + oldest.back() + profile_.responses.r_minus[r.to];
+}
+
+/// Depth first: a device is finished after all its consumers.
+Table<Rank, DecisionAnalysis::WayUp> DecisionAnalysis::ways_up(Rank root) const {
+  Table<Rank, WayUp> ways(model_.devices.size());
+  Table<Rank, bool> is_seen(model_.devices.size());
+  const auto finish = [&](Rank device) {
+    WayUp& way = ways[device];
+    way.reaches = device == root;
+    if (profile_.responses.ok(profile_.set.bucket_of[device])) way.age = Duration::zero();
+    for (const Rank c : reach_.consumers(device)) {
+      if (device == root || !ways[c].reaches) continue;
+      way.reaches = true;
+      way.through_reads |= ways[c].through_reads || model_.devices[device].parent != c;
+      if (!ways[c].age) way.age = std::nullopt;
+      if (way.age) way.age = std::max(*way.age, *ways[c].age + hop_up(device, c));
+    }
+    if (!way.reaches) way.age = std::nullopt;
+  };
+  for (const Rank from : model_.devices.ids()) {
+    std::vector<std::pair<Rank, std::size_t>> stack{{from, 0}};
+    while (!stack.empty()) {
+      auto& [device, next] = stack.back();
+      if (is_seen[device]) {
+        stack.pop_back();
+      } else if (device == root || next == reach_.consumers(device).size()) {
+        finish(device);
+        is_seen[device] = true;
+        stack.pop_back();
+      } else {
+        const Rank consumer = reach_.consumers(device)[next++];
+        if (!is_seen[consumer]) stack.emplace_back(consumer, 0);
+      }
+    }
+  }
+  return ways;
+}
+
+Decision DecisionAnalysis::decide(const WayUp& way, Rank to) const {
+  Decision result{std::nullopt, true, way.through_reads};
+  if (!way.age) return result;
+  Duration latency = *way.age + profile_.responses.r_minus[to];
+  for (Rank d = to;; d = *model_.devices[d].parent) {
+    if (!profile_.responses.ok(profile_.set.bucket_of[d])) return result;
+    if (!model_.devices[d].parent) break;
+    latency += hop_down(*model_.devices[d].parent, d);
+  }
+  result.latency = latency;
+  return result;
 }
 
 Decision DecisionAnalysis::decide(Rank from, Rank to) const {

@@ -23,6 +23,17 @@ class DecisionAnalysis {
   /// Requires that data of `from` reaches commands of `to`. Throws Overflow.
   [[nodiscard]] Decision decide(Rank from, Rank to) const;
 
+  /// How data get from a device to a root, of all ways the oldest.
+  struct WayUp {
+    bool reaches = false;
+    std::optional<Duration> age;  ///< at the release of the root, from that of the device on; none: as in Decision
+    bool through_reads = false;
+  };
+  /// Of every device at once, in closed form. Throws Overflow.
+  [[nodiscard]] Table<Rank, WayUp> ways_up(Rank root) const;
+  /// The same as decide() in closed form, which is never smaller: of a source with this way to the root of `to`.
+  [[nodiscard]] Decision decide(const WayUp& way, Rank to) const;
+
   /// Whether the bounds of a device, or of one between it and its root, may be larger than the exact ones.
   [[nodiscard]] bool is_general(Rank device) const { return is_general_[device]; }
 
@@ -33,6 +44,9 @@ class DecisionAnalysis {
   [[nodiscard]] Route route(Rank from, Rank to) const;
   [[nodiscard]] Duration join_hand_overs(Rank from, Rank to) const;
   [[nodiscard]] Duration walk(const Route& route, std::int64_t entries) const;
+  [[nodiscard]] Duration hop(Rank producer, Rank consumer, Duration there) const;
+  [[nodiscard]] Duration hop_up(Rank producer, Rank consumer) const;
+  [[nodiscard]] Duration hop_down(Rank producer, Rank consumer) const;
   [[nodiscard]] Duration closed_form(const Route& route) const;
   [[nodiscard]] Duration hand_down(Duration release, Rank producer, Rank consumer) const;
   [[nodiscard]] Duration used(Duration use, Rank producer, Rank consumer) const;

@@ -57,10 +57,13 @@ std::uint16_t link::crc(const std::uint8_t* bytes, std::size_t size) {
 
 void HostLink::update() {
   receive();
+  drop_old();  // what came before the first release, too: nobody knows when
   send();
 }
 
-void HostLink::handle() {
+void HostLink::handle() { drop_old(); }
+
+void HostLink::drop_old() {
   if (is_fresh(state, now(), max_age_)) return;
   state.valid = false;
   for (const LinkTarget& target : layout_.down) target.stamp.valid = false;

@@ -11,7 +11,7 @@ MOST_PERIODS, ALWAYS_US = 8, (5000, 10000)
 
 MOTORS = ("dji_m3508", "dji_m2006", "dji_gm6020")
 #: Types whose parts on the emulated board give samples, and types whose outputs can be watched there.
-SAMPLED = {"h30_imu", "dr16", "sbus", "bmi088", "ist8310", "ms5837", *MOTORS, "gauge"}
+SAMPLED = {"h30_imu", "dr16", "sbus", "host_link", "bmi088", "ist8310", "ms5837", *MOTORS, "gauge"}
 WATCHED = {*MOTORS, "pwm_servo", "pwm_esc", "gauge"}
 
 #: Roles of a mixer; what is not here is one of its inputs.
@@ -92,11 +92,13 @@ class Workshop:
         return self.serial(self.draw.choice(("dr16", "sbus")), (100000,), common, 20000)
 
     def link(self, common):
-        """A computer at the other end: what it is told about costs time, and it says nothing."""
-        link = self.serial("host_link", (460800, 921600), None, 20000)
+        """A computer at the other end, which is told about a load and mostly commands an actuator."""
+        link = self.serial("host_link", (460800, 921600, 2625000), None, 20000)
         if link is not None:
-            link.period_us = self.period(common, 5000, 20000)
-            link.children = [self.load(None)]
+            link.period_us = self.period(common, 1000, 20000)
+            link.body = [f'<param name="command_interval">{self.draw.choice((1, 2, 5, 10, 20, 50, 100))}ms</param>']
+            commanded = self.draw.choice((self.motor, self.servo, self.esc))(link.period_us)
+            link.children = [self.load(None)] + [part for part in (commanded,) if part is not None]
         return link
 
     def bmi088(self, common):

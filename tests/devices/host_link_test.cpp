@@ -114,6 +114,18 @@ TEST_CASE("of several frames in one update the last counts, and each is counted"
   CHECK(robot.stamp.valid);
 }
 
+TEST_CASE("no update shows a command as valid that is too old by then") {
+  Commanded link;
+  link.update_after(Commanded::frame(1));
+  REQUIRE(link.host_link.state.valid);
+  host::usart6.feed(now(), Commanded::frame(2));
+  host::advance(1 * kSecond);
+  link.host_link.update();
+  CHECK(link.number == 2);
+  CHECK_FALSE(link.host_link.state.valid);
+  CHECK_FALSE(link.stamp.valid);
+}
+
 TEST_CASE("a frame is found between any bytes, and across updates wherever they cut it") {
   std::mt19937 dice(3);
   Commanded robot;

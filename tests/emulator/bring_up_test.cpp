@@ -53,6 +53,19 @@ TEST_CASE("what measures nothing is up when its type says so") {
   CHECK(std::abs(stage(run, "timer", "handle")["count"].get<int>() - 5) <= 1);
 }
 
+TEST_CASE("an expander that slow jobs set up is waited for") {
+  const TemporaryFolder folder;
+  write_file(folder.path("slow.urdf"), R"(<robot name="slow"><link name="base"/><finemote version="1">
+    <board name="robomaster_type_c"/>
+    <bus name="i2c" type="i2c" port="i2c2"/><expander name="pulses" model="pca9685" bus="i2c" address="0x40"/>
+    <device name="servo" type="pwm_servo" bus="pulses" channel="0" period="400ms"/></finemote></robot>)");
+  const Json run = finemote_json({"run", folder.path("slow.urdf"), "--duration", "2s"});
+  CHECK(run["absent"].empty());
+  CHECK(run["bringup_ns"] > 1000 * kMillisecond);
+  REQUIRE(run["chains"].size() == 1);
+  CHECK(run["chains"][0]["wire"]["judged"] == "held");
+}
+
 TEST_CASE("a part that never comes up is named, and its chain has no sample") {
   const TemporaryFolder folder;
   write_file(folder.path("silent.json"), R"({"schema": "finemote.scenario/1", "events": [

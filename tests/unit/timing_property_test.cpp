@@ -202,10 +202,12 @@ TEST_CASE("no simulated chain is above its decision bound, through reads or not"
 }
 
 TEST_CASE("the default chains of a large tree are at least those of every pair") {
+  int bounded = 0, through_reads = 0;
   for (const ForestClass kind : kForestClasses) {
     for (int i = 0; i < forests(60); ++i) {
       RandomForest source(seed_of(kind, i) + 5'000'000);
       Model model = source.make(kind);
+      if (i % 2 == 0) source.observe(model);
       const Topology topology = make_topology(model);
       const ProfileAnalysis analysis = analyse_profile(model, topology, Profile::tight);
       Effort effort;
@@ -220,9 +222,13 @@ TEST_CASE("the default chains of a large tree are at least those of every pair")
         if (!exact[c].decide) continue;
         CHECK(*quick[c].decide >= *exact[c].decide);
         CHECK(*quick[c].decide >= *pairs.bound(quick[c].from, quick[c].to).decide);
+        ++bounded;
+        through_reads += quick[c].through_reads ? 1 : 0;
       }
     }
   }
+  CHECK(bounded > 4 * forests(60));
+  CHECK(through_reads > 0);
 }
 
 TEST_CASE("every classic mistake is caught by the same property") {

@@ -53,6 +53,7 @@ class HostLink {
   static constexpr std::size_t kMostBytes = RecentBytes<link::kMaxFrame>::kMost;
 
   void receive();
+  void drop_old();
   const std::uint8_t* look(std::size_t size);
   std::size_t find(const std::uint8_t* begin, std::size_t count, Found& found);
   [[nodiscard]] unsigned most_frames() const;
