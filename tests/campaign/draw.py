@@ -31,11 +31,14 @@ def draw_shipped(draw):
 
 
 def pairs_of(draw, trees):
-    """Some pairs of a sensor that gives samples and an actuator that can be watched, each in one tree."""
+    """Some pairs of a sensor that gives samples and an actuator that can be watched, each in one tree. What a computer is
+    told goes nowhere else."""
     pairs = []
     for tree in trees:
         parts = list(tree.walk())
-        sources = [part for part in parts if part.kind in workshop.SAMPLED]
+        told = {part.name for link in parts if link.kind == "host_link" for part in link.walk()} - {
+            part.name for part in parts if part.kind == "host_link"}
+        sources = [part for part in parts if part.kind in workshop.SAMPLED and part.name not in told]
         targets = [part for part in parts if part.kind in workshop.WATCHED]
         fast, others = [], []
         for source, target in itertools.product(sources, targets):

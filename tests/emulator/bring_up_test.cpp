@@ -58,7 +58,7 @@ TEST_CASE("an expander that slow jobs set up is waited for") {
   write_file(folder.path("slow.urdf"), R"(<robot name="slow"><link name="base"/><finemote version="1">
     <board name="robomaster_type_c"/>
     <bus name="i2c" type="i2c" port="i2c2"/><expander name="pulses" model="pca9685" bus="i2c" address="0x40"/>
-    <device name="servo" type="pwm_servo" bus="pulses" channel="0" period="400ms"/></finemote></robot>)");
+    <device name="esc" type="pwm_esc" bus="pulses" channel="0" period="400ms"/></finemote></robot>)");
   const Json run = finemote_json({"run", folder.path("slow.urdf"), "--duration", "2s"});
   CHECK(run["absent"].empty());
   CHECK(run["bringup_ns"] > 1000 * kMillisecond);
