@@ -234,7 +234,7 @@ Table<Rank, DecisionAnalysis::WayUp> DecisionAnalysis::ways_up(Rank root) const 
 }
 
 Decision DecisionAnalysis::decide(const WayUp& way, Rank to) const {
-  Decision result{std::nullopt, true, way.through_reads};
+  Decision result{std::nullopt, false, way.through_reads};
   if (!way.age) return result;
   Duration latency = *way.age + profile_.responses.r_minus[to];
   for (Rank d = to;; d = *model_.devices[d].parent) {
@@ -243,6 +243,7 @@ Decision DecisionAnalysis::decide(const WayUp& way, Rank to) const {
     latency += hop_down(*model_.devices[d].parent, d);
   }
   result.latency = latency;
+  result.closed_form = true;
   return result;
 }
 
