@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <utility>
 
 #include "emulator/time.hpp"
 
@@ -13,6 +15,7 @@ struct BusStatistics {
   std::uint64_t errors = 0;
   Time busy = 0;      ///< time of all bits on the wire; UART: of the line the board sends on
   Time received = 0;  ///< UART: the same of the line it receives on
+  std::map<std::pair<unsigned, unsigned>, std::uint64_t> lengths = {};  ///< I2C: transfers, by address and data bytes
 };
 
 }  // namespace finemote::emulator

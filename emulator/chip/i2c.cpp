@@ -91,7 +91,10 @@ void I2c::request_start() {
 }
 
 void I2c::start_done() {
-  if ((sr2_ & kBusy) == 0) ++statistics_.transfers;
+  if ((sr2_ & kBusy) == 0) {
+    ++statistics_.transfers;
+    moved_ = 0;
+  }
   cr1_ &= ~kStart;
   if (lost_starts != 0) {  // back to slave mode; the other master is soon done: RM0090 27.3.4
     --lost_starts;
@@ -115,6 +118,7 @@ void I2c::address_done() {
   reading_ = (shift_ & 1) != 0;
   const bool answered = line.select(static_cast<std::uint8_t>(shift_.value >> 1), reading_);
   tell("address", shift_, answered);
+  address_ = shift_.value >> 1U;
   if (answered) {
     sr1_ |= kAddr;
     if (!reading_) sr2_ |= kTransmitter;
@@ -157,6 +161,7 @@ void I2c::begin_send() {
 
 void I2c::byte_sent() {
   ++statistics_.bytes;
+  ++moved_;
   const bool taken = line.write(shift_);
   tell("write", shift_, taken);
   if (!taken) {
@@ -178,6 +183,7 @@ void I2c::begin_receive() {
 
 void I2c::byte_received() {
   ++statistics_.bytes;
+  ++moved_;
   const WireByte byte = line.read();
   // POS: the bit speaks of the next byte, so the present one is acknowledged (RM0090 27.6.1).
   last_acknowledged_ = (cr1_ & kPos) != 0 && byte_index_ == 0 ? true : (cr1_ & kAck) != 0 && !last_comes_;
@@ -234,6 +240,7 @@ void I2c::begin_stop() {
 void I2c::stop_done() {
   line.stop();
   tell("stop", 0, true);
+  ++statistics_.lengths[{address_, moved_}];
   cr1_ &= ~kStop;
   sr2_ = 0;
   sr1_ &= ~(kTxe | kBtf | kSb | kAddr);

@@ -92,6 +92,7 @@ class I2c : public Peripheral {
   bool asking_ = false;      ///< DMA moves a byte right now
   bool last_comes_ = false;  ///< by DMA: the next byte is not acknowledged
   unsigned byte_index_ = 0;
+  unsigned address_ = 0, moved_ = 0;  ///< part and data bytes since the first START
   BusStatistics statistics_;
 };
 

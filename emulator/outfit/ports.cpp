@@ -25,8 +25,9 @@ Verb stimulus(const char* name, const char* summary, std::vector<Member> members
 }
 
 Verb dma_error() {
-  return fault("dma_error", "the receive stream gets a bus error", {},
-               [](Outfit& outfit, const Json& event) { outfit.board().chip().break_dma(port_of(event), DmaWay::receive); });
+  return fault("dma_error", "the receive stream gets a bus error", {}, [](Outfit& outfit, const Json& event) {
+    outfit.board().chip().break_dma(port_of(event), DmaWay::receive);
+  });
 }
 
 constexpr int kMostBytes = 1'000'000;

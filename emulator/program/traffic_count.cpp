@@ -19,11 +19,26 @@ std::vector<BusStatistics> TrafficCount::of_ports() const {
   return all;
 }
 
+namespace {
+
+/// `[address, data bytes]` of every kind of transfer that came in between.
+Json new_lengths(const BusStatistics& now, const BusStatistics& before) {
+  Json lengths = Json::array();
+  for (const auto& [kind, count] : now.lengths) {
+    const auto earlier = before.lengths.find(kind);
+    if (earlier == before.lengths.end() || earlier->second != count) lengths.push_back({kind.first, kind.second});
+  }
+  return lengths;
+}
+
+}  // namespace
+
 Json TrafficCount::document() const {
   Json ports = Json::array(), exceptions = Json::array();
   const std::vector<BusStatistics> now = of_ports();
   for (std::size_t i = 0; i < now.size(); ++i)
-    ports.push_back({to_ns(now[i].busy - before_[i].busy), to_ns(now[i].received - before_[i].received)});
+    ports.push_back({to_ns(now[i].busy - before_[i].busy), to_ns(now[i].received - before_[i].received),
+                     new_lengths(now[i], before_[i])});
   for (const auto& [number, own] : board_.own_times().exceptions()) {
     const auto before = exceptions_before_.find(number);
     exceptions.push_back({number, own.runs - (before == exceptions_before_.end() ? 0 : before->second.runs)});

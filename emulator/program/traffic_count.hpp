@@ -20,8 +20,9 @@ class TrafficCount {
   TrafficCount(const TrafficCount&) = delete;
   TrafficCount& operator=(const TrafficCount&) = delete;
 
-  /// Until now: `ns`, how long that is; of each port `[sent, received]`, how long its lines were in use in ns, which is
-  /// `[in use, 0]` where it has one; `exceptions`: `[number, runs that ended]`.
+  /// Until now: `ns`, how long that is; of each port `[sent, received, lengths]`, how long its lines were in use in ns,
+  /// which is `[in use, 0]` where it has one, and on I2C `[address, data bytes]` of every kind of transfer;
+  /// `exceptions`: `[number, runs that ended]`.
   [[nodiscard]] nlohmann::ordered_json document() const;
 
  private:

@@ -152,8 +152,13 @@ std::int64_t runs_of(const Json& exceptions, const Port& port) {
 BusTraffic traffic_of(const Json& record, std::size_t place, const Port* port) {
   const Json& traffic = traffic_in(record);
   const Json& lines = traffic.at("ports").at(place);
-  return {time_of(traffic.at("ns")), time_of(lines.at(0)), time_of(lines.at(1)),
-          port != nullptr ? runs_of(traffic.at("exceptions"), *port) : 0};
+  BusTraffic result{time_of(traffic.at("ns")), time_of(lines.at(0)), time_of(lines.at(1)),
+                    port != nullptr ? runs_of(traffic.at("exceptions"), *port) : 0};
+  for (const Json& transfer : lines.at(2)) {
+    std::int64_t& longest = result.longest[transfer.at(0).get<std::uint32_t>()];
+    longest = std::max(longest, transfer.at(1).get<std::int64_t>());
+  }
+  return result;
 }
 
 /// Of the buses with a port, in their order.

@@ -44,9 +44,10 @@ struct RoutineTime {
 
 /// What a bus did from the end of the bring-up on.
 struct BusTraffic {
-  Duration window;              ///< how long it was looked at
-  Duration sent, received;      ///< how long its lines were in use; a bus with one line: `sent`
-  std::int64_t interrupts = 0;  ///< runs of its service routines
+  Duration window;                                     ///< how long it was looked at
+  Duration sent, received;                             ///< how long its lines were in use; a bus with one line: `sent`
+  std::int64_t interrupts = 0;                         ///< runs of its service routines
+  std::map<std::uint32_t, std::int64_t> longest = {};  ///< i2c: data bytes of the longest transfer, by address
 };
 
 struct BusRecord {

@@ -262,7 +262,8 @@ void print_image(const ImageFacts& image, std::ostream& out) {
 void print_run(const RunResult& result, const std::vector<std::string>& failures, bool is_verbose, std::ostream& out) {
   const Duration lasted = std::max(result.duration, round_up(result.record.judged_for, microseconds(1)));
   out << fmt::format("{} on {}, {}{}: {}\n", result.robot.name.text, result.board, units::spaced_duration(lasted),
-                     lasted > round_up(result.duration, microseconds(1)) ? ", as long as the scenario lasts" : "", verdict_text(failures));
+                     lasted > round_up(result.duration, microseconds(1)) ? ", as long as the scenario lasts" : "",
+                     verdict_text(failures));
   if (result.must_judge)
     out << fmt::format("judged from {:.3f} ms on{}\n", milliseconds_of(result.record.ready), seen_parts_text(result));
   if (result.phases > 1)

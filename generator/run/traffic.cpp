@@ -32,6 +32,40 @@ Declared<Duration> received(const BusTraffic& seen, const timing::TrafficLimit& 
   return {seen.received, is_bound ? std::optional(of_slow_sender(*limit.received)) : std::nullopt};
 }
 
+/// The most data bytes of a transfer that a device declares; none: it declares nothing, or has none of its own.
+std::optional<std::int64_t> longest_declared(const Device& device) {
+  if (!device.type->frames) return std::nullopt;
+  std::int64_t longest = 0;
+  for (const Frame& frame : frames_over(device, connections_of(device).front()))
+    longest = std::max(longest, frame.write_bytes + frame.read_bytes);
+  return longest;
+}
+
+/// Of the devices with an address on a bus, behind muxes or not: the one that declares most; none where one of them
+/// declares nothing.
+std::optional<LongTransfer> most_declared(const Robot& robot, BusId bus, std::uint32_t address) {
+  std::optional<LongTransfer> most;
+  for (const DeviceId id : robot.devices.ids()) {
+    const Device& device = robot.devices[id];
+    if (device.address != address || !device.segment || robot.segments[*device.segment].bus != bus) continue;
+    const std::optional<std::int64_t> declared = longest_declared(device);
+    if (!declared) return std::nullopt;
+    if (!most || *most->bytes.most < *declared) most = LongTransfer{id, {0, declared}};
+  }
+  return most;
+}
+
+std::vector<LongTransfer> too_long_transfers(const Robot& robot, BusId bus, const BusTraffic& seen) {
+  std::vector<LongTransfer> found;
+  for (const auto& [address, bytes] : seen.longest) {
+    std::optional<LongTransfer> most = most_declared(robot, bus, address);
+    if (!most || bytes <= *most->bytes.most) continue;
+    most->bytes.seen = bytes;
+    found.push_back(*most);
+  }
+  return found;
+}
+
 MeasuredTraffic measured(const Robot& robot, BusId bus, const BusTraffic& seen, const timing::TrafficLimit& limit,
                          bool is_text) {
   MeasuredTraffic traffic{bus, seen.window, {seen.sent, limit.wire}, std::nullopt, {seen.interrupts, limit.interrupts}};
@@ -40,6 +74,7 @@ MeasuredTraffic measured(const Robot& robot, BusId bus, const BusTraffic& seen, 
   } else {
     traffic.sent.seen += seen.received;  // of a line that is switched over
   }
+  traffic.too_long = too_long_transfers(robot, bus, seen);
   return traffic;
 }
 
@@ -47,6 +82,7 @@ MeasuredTraffic measured(const Robot& robot, BusId bus, const BusTraffic& seen, 
 
 Judgement MeasuredTraffic::judged() const {
   const Judgement of_received = received ? received->judged() : Judgement::no_bound;
+  if (!too_long.empty()) return Judgement::broken;
   const auto any = [&](Judgement one) {
     return sent.judged() == one || of_received == one || interrupts.judged() == one;
   };
@@ -95,14 +131,29 @@ std::vector<std::string> devices_on(const Robot& robot, BusId bus, bool builtin)
   return names;
 }
 
+void report_long(const Robot& robot, const MeasuredTraffic& traffic, Diagnostics& diagnostics) {
+  for (const LongTransfer& transfer : traffic.too_long) {
+    const Device& device = robot.devices[transfer.device];
+    diagnostics
+        .error(code::undeclared_traffic, device.at,
+               fmt::format("device '{}' moves {} bytes in one transfer over bus '{}'; its type declares {} at most",
+                           device.name.text, transfer.bytes.seen, robot.buses[traffic.bus].name.text,
+                           *transfer.bytes.most))
+        .note("bounds of chains over this bus, and of what its interrupts delay, are made from what is declared")
+        .hint(fmt::format("let 'frames' in the descriptor of '{}' say the bytes of its longest transfer",
+                          device.type->name));
+  }
+}
+
 bool check(const Robot& robot, const MeasuredTraffic& traffic, Diagnostics& diagnostics) {
+  report_long(robot, traffic, diagnostics);
   std::vector<std::string> said;
   const auto time = [](Duration duration) { return fmt::format("{:.3f} ms", duration.ns() / 1e6); };
   const auto count = [](std::int64_t number) { return fmt::format("{} time{}", number, number == 1 ? "" : "s"); };
   say(said, traffic.received ? "it sent for" : "its wire was in use for", traffic.sent, time);
   if (traffic.received) say(said, "it received for", *traffic.received, time);
   say(said, "its interrupts ran", traffic.interrupts, count);
-  if (said.empty()) return true;
+  if (said.empty()) return traffic.too_long.empty();
   const Bus& bus = robot.buses[traffic.bus];
   auto& finding = diagnostics.error(code::undeclared_traffic, bus.at,
                                     fmt::format("more goes over bus '{}' than its devices declare: in {} {}",

@@ -31,12 +31,19 @@ void merge_judged(std::vector<Of>& all, const std::vector<Of>& more) {
   }
 }
 
+/// A transfer of I2C that moved more bytes than any that the devices of its address declare.
+struct LongTransfer {
+  DeviceId device;
+  Declared<std::int64_t> bytes;
+};
+
 struct MeasuredTraffic {
   BusId bus;
   Duration window;                             ///< for so long it was looked at
   Declared<Duration> sent;                     ///< how long its wire was in use; of two lines that the board sends on
   std::optional<Declared<Duration>> received;  ///< of two lines that it receives on
   Declared<std::int64_t> interrupts;           ///< runs of its service routines
+  std::vector<LongTransfer> too_long = {};
 
   /// `broken` where anything is above what is declared, else `held` where anything is declared.
   [[nodiscard]] Judgement judged() const;

@@ -188,7 +188,8 @@ std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<Rank>& source
   const bool is_known =
       !reach_.reads_in_tree_of(root) && !leaves.empty() && others.size() * terminals.size() <= most_pairs_;
   if (!is_known) {
-    const bool are_few = pairs <= kMoreWithReads * most_pairs_ && entries <= kMostPairEntries / static_cast<std::int64_t>(pairs);
+    const bool are_few =
+        pairs <= kMoreWithReads * most_pairs_ && entries <= kMostPairEntries / static_cast<std::int64_t>(pairs);
     return are_few ? worst_of_pairs(sources, terminals) : worst_in_closed_form(root, sources, terminals);
   }
   std::vector<ChainResult> results = worst_of_groups(root, leaves, terminals);

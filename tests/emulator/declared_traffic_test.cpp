@@ -92,6 +92,19 @@ std::vector<Case> cases() {
   std::uint8_t register_ = 0x20, answer_[6]{};)",
        frames({frame("update", 1, 6)}), frames({frame("update", 1, 4)})},
 
+      {"a longer answer on I2C that is asked for so seldom that the bus carries less", R"(type="i2c" port="i2c2")", "",
+       descriptor(with_bank), R"(
+  constexpr explicit Own(finemote::I2cSlot& slot) : slot_(&slot) {}
+  void update() {
+    if (++updates_ % 4 == 0 && !slot_->busy()) slot_->start(&register_, 1, answer_, sizeof answer_);
+  }
+  void handle() {}
+ private:
+  finemote::I2cSlot* const slot_;
+  unsigned updates_ = 0;
+  std::uint8_t register_ = 0x20, answer_[6]{};)",
+       frames({frame("update", 1, 6)}), frames({frame("update", 1, 4)})},
+
       {"a part that sends more often on a serial line", R"(type="uart" port="usart1" baud="460800baud")", "",
        "schemas/devices/h30_imu.json", "", streamed_every(5'000'000), streamed_every(10'000'000)},
 

@@ -19,8 +19,9 @@ namespace finemote {
 ///
 /// Nothing waits: every update() takes the two reads of the one before and starts the next two; the state's origin is
 /// when they began, less the longest age of what the accelerometer then has. Bring-up (resets, settings, identities) is
-/// a state with `valid = false`, which lasts until gravity was seen once. The gyroscope's identity and the accelerometer's own clock are read along: a part that
-/// stands still, is missing or was reset is invalid at once and brought up again after kMaxFailures reads.
+/// a state with `valid = false`, which lasts until gravity was seen once. The gyroscope's identity and the
+/// accelerometer's own clock are read along: a part that stands still, is missing or was reset is invalid at once and
+/// brought up again after kMaxFailures reads.
 ///
 /// Rates, acceleration and attitude are in the axes of the robot, wherever the URDF says the part's own link
 /// points.
