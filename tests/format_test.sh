@@ -8,7 +8,7 @@ if ! clang-format --version 2>/dev/null | grep -q 'version 14\.'; then
 fi
 # The committed ones or, in an unpacked archive, all outside build/.
 sources() {
-  git -c safe.directory='*' ls-files '*.cpp' '*.hpp' 2>/dev/null ||
+  git -c safe.directory='*' ls-files '*.cpp' '*.hpp' 2>/dev/null | grep . ||
     find . -path ./build -prune -o -name '*.[ch]pp' -printf '%P\n'
 }
 # What the generator writes, and what stands for it in tests, has a layout of its own; templates of C++ are no C++ yet.

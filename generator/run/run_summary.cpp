@@ -35,7 +35,7 @@ void print_worst_age(const RunResult& result, std::ostream& out) {
   const bool is_excused = age.judged() == Judgement::broken && result.bounds_hold();
   out << fmt::format("worst age of a command: {} measured, {} bound{} ({} -> {})\n",
                      timing::duration_text(age.observed.max), timing::duration_text(age.bound),
-                     is_excused ? ", which does not count" : "", name_of(result, worst->from),
+                     is_excused ? " (broken by what the scenario did)" : "", name_of(result, worst->from),
                      name_of(result, worst->to));
 }
 

@@ -17,6 +17,7 @@ constexpr std::int64_t kMostPairEntries = std::int64_t{1}
 
 /// So many times as many pairs are looked at one by one where groups cannot stand in.
 constexpr std::size_t kMoreWithReads = 8;
+constexpr std::size_t kMostOnWays = 1U << 16;
 
 std::optional<Duration> sum(std::optional<Duration> a, std::optional<Duration> b) {
   return a && b ? std::optional<Duration>(*a + *b) : std::nullopt;
@@ -94,12 +95,12 @@ std::vector<ChainResult> ChainAnalysis::worst_of_pairs(const std::vector<Rank>& 
 /// The same for large trees with ways through reads: in closed form, which is never smaller.
 std::vector<ChainResult> ChainAnalysis::worst_in_closed_form(Rank root, const std::vector<Rank>& sources,
                                                              const std::vector<Rank>& terminals) const {
-  const Table<Rank, DecisionAnalysis::WayUp> ways = decisions_.ways_up(root);
-  const auto age_of = [&](Rank source) { return sum(acquire_[source], ways[source].age); };
+  const std::map<Rank, DecisionAnalysis::WayUp> ways = decisions_.ways_up(root, sources);
+  const auto age_of = [&](Rank source) { return sum(acquire_[source], ways.at(source).age); };
   const Rank oldest =
       *std::max_element(sources.begin(), sources.end(), [&](Rank a, Rank b) { return less(age_of(a), age_of(b)); });
   std::vector<ChainResult> results;
-  for (const Rank to : terminals) results.push_back(complete(oldest, to, decisions_.decide(ways[oldest], to)));
+  for (const Rank to : terminals) results.push_back(complete(oldest, to, decisions_.decide(ways.at(oldest), to)));
   return results;
 }
 
@@ -188,8 +189,9 @@ std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<Rank>& source
   const bool is_known =
       !reach_.reads_in_tree_of(root) && !leaves.empty() && others.size() * terminals.size() <= most_pairs_;
   if (!is_known) {
-    const bool are_few =
-        pairs <= kMoreWithReads * most_pairs_ && entries <= kMostPairEntries / static_cast<std::int64_t>(pairs);
+    const std::size_t devices = concerned.size() * terminals.size();  // on the ways of all pairs
+    const bool are_few = pairs <= kMoreWithReads * most_pairs_ && devices <= kMostOnWays &&
+                         entries <= kMostPairEntries / static_cast<std::int64_t>(pairs);
     return are_few ? worst_of_pairs(sources, terminals) : worst_in_closed_form(root, sources, terminals);
   }
   std::vector<ChainResult> results = worst_of_groups(root, leaves, terminals);

@@ -197,36 +197,37 @@ Duration DecisionAnalysis::closed_form(const Route& r) const {
   return age + oldest.back() + profile_.responses.r_minus[r.to];
 }
 
-/// Depth first: a device is finished after all its consumers.
-Table<Rank, DecisionAnalysis::WayUp> DecisionAnalysis::ways_up(Rank root) const {
-  Table<Rank, WayUp> ways(model_.devices.size());
-  Table<Rank, bool> is_seen(model_.devices.size());
-  const auto finish = [&](Rank device) {
-    WayUp& way = ways[device];
+/// Depth first from the sources: a device is finished after all its consumers.
+std::map<Rank, DecisionAnalysis::WayUp> DecisionAnalysis::ways_up(Rank root, const std::vector<Rank>& sources) const {
+  std::map<Rank, WayUp> ways;
+  const auto finished = [&](Rank device) {
+    WayUp way;
     way.reaches = device == root;
     if (profile_.responses.ok(profile_.set.bucket_of[device])) way.age = Duration::zero();
     for (const Rank c : reach_.consumers(device)) {
-      if (device == root || !ways[c].reaches) continue;
+      if (device == root) break;
+      const WayUp& further = ways.at(c);
+      if (!further.reaches) continue;
       way.reaches = true;
-      way.through_reads |= ways[c].through_reads || model_.devices[device].parent != c;
-      if (!ways[c].age) way.age = std::nullopt;
-      if (way.age) way.age = std::max(*way.age, *ways[c].age + hop_up(device, c));
+      way.through_reads |= further.through_reads || model_.devices[device].parent != c;
+      if (!further.age) way.age = std::nullopt;
+      if (way.age) way.age = std::max(*way.age, *further.age + hop_up(device, c));
     }
     if (!way.reaches) way.age = std::nullopt;
+    return way;
   };
-  for (const Rank from : model_.devices.ids()) {
-    std::vector<std::pair<Rank, std::size_t>> stack{{from, 0}};
+  std::vector<std::pair<Rank, std::size_t>> stack;
+  for (const Rank source : sources) {
+    stack.emplace_back(source, 0);
     while (!stack.empty()) {
       auto& [device, next] = stack.back();
-      if (is_seen[device]) {
+      if (ways.contains(device)) {
         stack.pop_back();
       } else if (device == root || next == reach_.consumers(device).size()) {
-        finish(device);
-        is_seen[device] = true;
+        ways.emplace(device, finished(device));
         stack.pop_back();
       } else {
-        const Rank consumer = reach_.consumers(device)[next++];
-        if (!is_seen[consumer]) stack.emplace_back(consumer, 0);
+        stack.emplace_back(reach_.consumers(device)[next++], 0);
       }
     }
   }

@@ -1,6 +1,8 @@
 // Decision latency of one chain: from the start of update() at its source to the end of handle() at its terminal.
 #pragma once
 
+#include <map>
+
 #include "generator/timing/pair_window.hpp"
 #include "generator/timing/profile.hpp"
 #include "generator/timing/reach.hpp"
@@ -29,8 +31,8 @@ class DecisionAnalysis {
     std::optional<Duration> age;  ///< at the release of the root, from that of the device on; none: as in Decision
     bool through_reads = false;
   };
-  /// Of every device at once, in closed form. Throws Overflow.
-  [[nodiscard]] Table<Rank, WayUp> ways_up(Rank root) const;
+  /// Of the sources and all devices on their ways, in closed form. Throws Overflow.
+  [[nodiscard]] std::map<Rank, WayUp> ways_up(Rank root, const std::vector<Rank>& sources) const;
   /// The same as decide() in closed form, which is never smaller: of a source with this way to the root of `to`.
   [[nodiscard]] Decision decide(const WayUp& way, Rank to) const;
 

@@ -57,7 +57,7 @@ std::uint16_t link::crc(const std::uint8_t* bytes, std::size_t size) {
 
 void HostLink::update() {
   receive();
-  drop_old();  // what came before the first release, too: nobody knows when
+  drop_old();  // also what came before the first release, whose time is unknown
   send();
 }
 

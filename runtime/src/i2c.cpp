@@ -71,9 +71,7 @@ void I2cBus::start() {
 
 /// A reset cut off a read, whose part still holds the data line: the safe writes must not wait for a deadline.
 void I2cBus::free_lines() {
-  ++counters_.recoveries;
-  recovery_step_ = 0;
-  mode_.store(Mode::kRecover);
+  begin_recovery();
   while (mode_.load() == Mode::kRecover) carry_recovery_on();  // kMaxRecoverySteps at most
 }
 
@@ -228,12 +226,16 @@ Time I2cBus::finish_unit(SlotState result) {
 
 void I2cBus::enter_recovery() {
   port_->abort();
-  mode_.store(Mode::kRecover);
+  begin_recovery();
   const Time at = finish_unit(SlotState::kFailed);
   for (std::uint8_t i = 0; i < count_; ++i) {
     if (slots_[i]->state() == SlotState::kQueued) slots_[i]->end(SlotState::kFailed, at);
   }
   mux_known_ = false;
+}
+
+void I2cBus::begin_recovery() {
+  mode_.store(Mode::kRecover);
   ++counters_.recoveries;
   recovery_step_ = 0;
 }

@@ -53,12 +53,16 @@ void Pca9685::work() {
     safe_changed_.store(safe_known_.load() != 0);
     changed_.set_bits(used_.load() | safe_known_.load());
   }
-  if (!slot_->busy() && !slot_->sends_safe() && safe_changed_.exchange(false)) build_safe();
+  if (may_change_safe() && safe_changed_.exchange(false)) build_safe();
   if (slot_->busy()) return;
   take_result();
   unreachable_.store(slot_->unreachable() || !slot_->bus().ready());
   begin_step();
 }
+
+/// What is on the wire must not change. Once the robot has stopped the safe write goes out with every flush, and a
+/// right one follows a torn one.
+bool Pca9685::may_change_safe() const { return detail::has_stopped() || !(slot_->busy() || slot_->sends_safe()); }
 
 // --------------------------------------------------------------------------------------------------------------
 // results
@@ -211,7 +215,7 @@ void Pca9685::build_safe() {
 /// One burst from the first to the last changed channel; its size, 0 when nothing has changed. Channels another bucket
 /// sets meanwhile are taken along.
 std::size_t Pca9685::build_burst() {
-  const std::uint32_t kept = slot_->sends_safe() ? 0 : kept_;  // what is on the wire must not change
+  const std::uint32_t kept = may_change_safe() ? kept_ : 0;
   std::size_t size = 0;
   for (int attempt = 0; attempt < 3; ++attempt) {
     const std::uint32_t changed = changed_.exchange(0);

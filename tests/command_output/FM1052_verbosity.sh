@@ -1,4 +1,4 @@
-# --verbosity 0 and -q say no warning, all else does; -W error hears it anyway. -i and --inorder change no byte of the result.
+# --verbosity 0 and -q print no warnings, everything else does; -W error hears it anyway. -i and --inorder change no byte of the result.
 echo 'a: 1' >legs.yaml
 xacro_robot <<'X'
   <link name="${load_yaml('legs.yaml')['a']}"/>

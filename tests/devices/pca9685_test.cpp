@@ -294,6 +294,25 @@ TEST_CASE_METHOD(Fixture, "a safe write that is on the wire does not change") {
   CHECK(part.pulse(1) == 225 * 4880);
 }
 
+TEST_CASE_METHOD(Fixture,
+                 "once the robot has stopped the safe write has what was set last for outputs between safe ones") {
+  bench::robot().safe = [&] { safe({0, 2}); };
+  bench::at(300 * kMillisecond, [&] { pwm.set(1, 1900000); });
+  bench::run(400 * kMillisecond);
+  REQUIRE(part.pulse(1) == 389 * 4880);
+  detail::set_stopped(true);
+  std::size_t before = 0;
+  for (int i = 0; i < 20; ++i) {
+    bus.supervise();  // as generated code does: the safe write is on the wire when the flush comes
+    pwm.set(1, 1100000);
+    pwm.flush();
+    pass(5 * kMillisecond);
+    if (i == 1) before = part.changes.size();
+  }
+  REQUIRE(part.changes.size() >= before + 10);
+  for (std::size_t i = before; i < part.changes.size(); ++i) CHECK(part.changes[i].pulses[1] == 225 * 4880);
+}
+
 TEST_CASE_METHOD(Fixture, "a flush cut off by a stop of the robot does not keep the safe pulses back") {
   bench::robot().safe = [&] { safe({0}); };
   bench::run(200 * kMillisecond);

@@ -66,6 +66,20 @@ TEST_CASE("an expander that slow jobs set up is waited for") {
   CHECK(run["chains"][0]["wire"]["judged"] == "held");
 }
 
+TEST_CASE("sensors that slow jobs set up step by step are waited for") {
+  const TemporaryFolder folder;
+  write_file(folder.path("slow.urdf"), R"(<robot name="slow"><link name="base"/><finemote version="1">
+    <board name="robomaster_type_c"/>
+    <bus name="spi" type="spi" port="spi1" clock="5250kHz"/><bus name="wire" type="i2c" port="i2c2"/>
+    <bus name="compass" type="i2c" port="i2c3"/>
+    <device name="imu" type="bmi088" bus="spi" channel="0" period="400ms"><use role="gyro" bus="spi" channel="1"/></device>
+    <device name="depth" type="ms5837" bus="wire" address="0x76" period="400ms"/>
+    <device name="north" type="ist8310" bus="compass" period="400ms"/></finemote></robot>)");
+  const Json run = finemote_json({"run", folder.path("slow.urdf"), "--duration", "1s"});
+  CHECK(run["absent"].empty());
+  CHECK(run["bringup_ns"] > 4000 * kMillisecond);  // the settings of the BMI088 take a job each
+}
+
 TEST_CASE("a part that never comes up is named, and its chain has no sample") {
   const TemporaryFolder folder;
   write_file(folder.path("silent.json"), R"({"schema": "finemote.scenario/1", "events": [

@@ -1,5 +1,6 @@
 # For the tests of this folder: bash x_test.sh PREFIX WORK, where finemote is installed and what may be written to.
 set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 prefix=$(realpath "$1")
 work=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -29,7 +29,7 @@ equal "a line for every step of GitHub" "$(grep -c '^ *run:' lantern/.github/wor
 holds "what is beside the findings" grep -q '"version": "2.1.0"' lantern/finemote.sarif
 equal "actions of others, pinned" "$(sed -nE 's/^ *- uses: ([^ ]*)@[0-9a-f]{40} # v[0-9.]+$/\1/p' lantern/.github/workflows/firmware.yml | paste -sd ' ')" \
   "$(sed -nE 's/^ *- uses: ([^@]*).*$/\1/p' lantern/.github/workflows/firmware.yml | paste -sd ' ')"
-equal "what is not tracked" "$(cd lantern && git init -q . && git config core.excludesFile /dev/null && git add -A && git status --short --ignored | grep '!!' | sort | paste -sd ' ')" \
+equal "what is not tracked" "$(cd lantern && git init -q . && git -c core.excludesFile=/dev/null add -A && git -c core.excludesFile=/dev/null status --short --ignored | grep '!!' | sort | paste -sd ' ')" \
   "!! build/ !! finemote.sarif"
 
 # Another board, the other CI, and whatever the README shows.

@@ -160,6 +160,7 @@ class I2cBus {
   Time finish_unit(SlotState result);
   void free_lines();
   void enter_recovery();
+  void begin_recovery();
   void look_at_unit();
   void send_safe();
   void carry_recovery_on();

@@ -81,6 +81,7 @@ class Pca9685 : public PwmOutput {
   void build_safe();
   [[nodiscard]] std::size_t build_burst();
   void put(std::uint8_t* at, std::uint32_t pulse) const;
+  [[nodiscard]] bool may_change_safe() const;
   void put_pulse(unsigned channel, std::uint32_t kept_ones, std::uint8_t* at);
 
   I2cSlot* slot_;

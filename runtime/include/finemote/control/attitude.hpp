@@ -28,7 +28,7 @@ class AttitudeFilter {
   /// Level, nothing learned: the next acceleration sets roll and pitch.
   void reset() { *this = AttitudeFilter{}; }
 
-  /// Gravity was seen once: before, roll and pitch are not the part's.
+  /// Gravity has been seen once: before, roll and pitch are not the part's.
   [[nodiscard]] bool aligned() const { return aligned_; }
   [[nodiscard]] float roll() const;                                   ///< rad, [-pi, pi]
   [[nodiscard]] float pitch() const;                                  ///< rad, [-pi/2, pi/2]

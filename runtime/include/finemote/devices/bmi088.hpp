@@ -19,7 +19,7 @@ namespace finemote {
 ///
 /// Nothing waits: every update() takes the two reads of the one before and starts the next two; the state's origin is
 /// when they began, less the longest age of what the accelerometer then has. Bring-up (resets, settings, identities) is
-/// a state with `valid = false`, which lasts until gravity was seen once. The gyroscope's identity and the
+/// a state with `valid = false`, which lasts until gravity has been seen once. The gyroscope's identity and the
 /// accelerometer's own clock are read along: a part that stands still, is missing or was reset is invalid at once and
 /// brought up again after kMaxFailures reads.
 ///
