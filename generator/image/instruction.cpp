@@ -90,6 +90,46 @@ bool only_reads(unsigned id) {
   }
 }
 
+/// How many of its first operands it writes. All, unless the architecture says that the others are only read: then
+/// `sdiv r5, r2, r0` leaves r0, which may count a loop.
+std::size_t written_operands(const Instruction& i) {
+  switch (i.id) {
+    case ARM_INS_ADC:
+    case ARM_INS_SBC:
+    case ARM_INS_ORN:
+    case ARM_INS_LSL:
+    case ARM_INS_LSR:
+    case ARM_INS_ASR:
+    case ARM_INS_ROR:
+    case ARM_INS_MUL:
+    case ARM_INS_MLA:
+    case ARM_INS_MLS:
+    case ARM_INS_SDIV:
+    case ARM_INS_UDIV:
+    case ARM_INS_RBIT:
+    case ARM_INS_REV:
+    case ARM_INS_REV16:
+    case ARM_INS_REVSH:
+    case ARM_INS_SSAT:
+    case ARM_INS_USAT:
+    case ARM_INS_SXTAB:
+    case ARM_INS_SXTAH:
+    case ARM_INS_UXTAB:
+    case ARM_INS_UXTAH:
+    case ARM_INS_SMULBB:
+    case ARM_INS_SMLABB:
+    case ARM_INS_SMMUL:
+      return 1;
+    case ARM_INS_UMULL:
+    case ARM_INS_SMULL:
+    case ARM_INS_UMLAL:
+    case ARM_INS_SMLAL:
+      return 2;
+    default:
+      return i.operands.size();
+  }
+}
+
 }  // namespace
 
 bool is_of_fpu(int reg) { return is_double(reg) || (reg >= ARM_REG_S0 && reg <= ARM_REG_S31); }
@@ -115,8 +155,9 @@ bool may_write(const Instruction& instruction, int reg) {
   if (instruction.writes_back && memory != nullptr && memory->mem.base == reg) return true;
   if (only_reads(instruction.id)) return false;
   if (moves_to_fpu(instruction) && !is_of_fpu(reg)) return false;
-  // Any other register it names counts: some read it only, which makes this cautious.
-  return std::any_of(instruction.operands.begin(), instruction.operands.end(),
+  const auto read = instruction.operands.begin() +
+                    static_cast<std::ptrdiff_t>(std::min(written_operands(instruction), instruction.operands.size()));
+  return std::any_of(instruction.operands.begin(), read,
                      [&](const cs_arm_op& o) { return o.type == ARM_OP_REG && o.reg == reg; });
 }
 

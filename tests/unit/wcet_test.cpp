@@ -384,6 +384,28 @@ TEST_CASE("a move to the FPU leaves the core registers it reads, one from it doe
   CHECK_FALSE(may_write(decoded[4], ARM_REG_R2));
 }
 
+TEST_CASE("what an instruction only reads it leaves") {
+  const auto decoded = decode(0, std::string_view("\x92\xFB\xF0\xF5"   // sdiv r5, r2, r0
+                                                  "\x92\xFB\xF0\xF0"   // sdiv r0, r2, r0
+                                                  "\xA1\xFB\x02\x30"   // umull r3, r0, r1, r2
+                                                  "\xC1\xFB\x02\x30"   // smlal r3, r0, r1, r2
+                                                  "\x48\x41"           // adcs r0, r1
+                                                  "\x11\xFB\x02\xF0"   // smulbb r0, r1, r2
+                                                  "\x50\xE8\x00\x1F",  // ldrex r1, [r0]
+                                                  26));
+  REQUIRE(decoded.size() == 7);
+  CHECK((may_write(decoded[0], ARM_REG_R5) && may_write(decoded[1], ARM_REG_R0)));
+  CHECK_FALSE((may_write(decoded[0], ARM_REG_R2) || may_write(decoded[0], ARM_REG_R0)));
+  for (const std::size_t i : {2, 3}) {
+    CAPTURE(decoded[i].text);
+    CHECK((may_write(decoded[i], ARM_REG_R3) && may_write(decoded[i], ARM_REG_R0)));
+    CHECK_FALSE((may_write(decoded[i], ARM_REG_R1) || may_write(decoded[i], ARM_REG_R2)));
+  }
+  CHECK((may_write(decoded[4], ARM_REG_R0) && !may_write(decoded[4], ARM_REG_R1)));
+  CHECK((may_write(decoded[5], ARM_REG_R0) && !may_write(decoded[5], ARM_REG_R2)));
+  CHECK(may_write(decoded[6], ARM_REG_R1));
+}
+
 TEST_CASE("waiting for an interrupt has no place in code that must end in time") {
   const auto decoded = decode(0, std::string_view("\x30\xBF", 2));  // wfi
   REQUIRE(decoded.size() == 1);
