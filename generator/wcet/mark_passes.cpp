@@ -10,11 +10,12 @@ bool is_for_interrupts(std::uint32_t block, const Marks& marks) {
   return marks.retries.count(block) != 0 || marks.once_for_each.count(block) != 0;
 }
 
-/// Its mark counts for the loop around it.
+/// Its mark counts for the loop around it. Outside of a loop it says nothing: a run does not count it either.
 bool is_bounded(const Frame& frame, std::uint32_t block, const Marks& marks) {
   if (marks.loop_bounds.count(block) == 0) return false;
   const auto loop = frame.nest.around(block);
-  if (!loop || is_for_interrupts(block, marks)) return true;
+  if (!loop) return false;
+  if (is_for_interrupts(block, marks)) return true;
   return loop != frame.unmarked && ends_loop_around(frame.nest, block, marks);
 }
 
@@ -24,13 +25,13 @@ bool has_place(std::uint32_t block, const Marks& marks) { return marks.ids.count
 }  // namespace
 
 bool is_passed_by_some(const Frame& frame, std::uint32_t block, const Marks& marks) {
-  return is_bounded(frame, block, marks) && frame.nest.around(block) && !frame.nest.is_on_every_turn(block);
+  return is_bounded(frame, block, marks) && !frame.nest.is_on_every_turn(block);
 }
 
 bool pass_mark(Frame& frame, std::uint32_t block, const Marks& marks) {
   if (!is_bounded(frame, block, marks)) return true;
-  const auto loop = frame.nest.around(block);
-  const std::uint32_t besides = loop && !has_place(block, marks) ? frame.nest.loops()[*loop].passes_besides(block) : 0;
+  const Loop& loop = frame.nest.loops()[*frame.nest.around(block)];
+  const std::uint32_t besides = has_place(block, marks) ? 0 : loop.passes_besides(block);
   std::uint32_t& passes = frame.passes[block];
   if (passes < marks.loop_bounds.at(block) + besides) return ++passes, true;
   frame.is_cut_by_mark = true;
