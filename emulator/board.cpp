@@ -96,6 +96,7 @@ const OwnTimes& Board::own_times() {
 void Board::watch_loops(const std::vector<WatchedLoop>& loops) {
   for (std::size_t i = 0; i < loops.size(); ++i) {
     cpu_->watch_loop(loops[i].place, LoopCounts::number_of(i, false));
+    if (loops[i].is_for_interrupts) loop_counts_.allow_interrupts(i);
     for (const std::uint32_t border : loops[i].borders) cpu_->watch_loop(border, LoopCounts::number_of(i, true));
   }
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "emulator/core/execution_log.hpp"
@@ -13,6 +14,7 @@ namespace finemote::emulator {
 struct WatchedLoop {
   std::uint32_t place = 0;
   std::vector<std::uint32_t> borders = {};
+  bool is_for_interrupts = false;  ///< each interrupt may add an iteration
 };
 
 /// Loops that are watched, by their index. Each level of preemption counts by itself: a loop that is interrupted by a
@@ -24,6 +26,9 @@ class LoopCounts {
     return 2 * static_cast<std::uint32_t>(loop) + (is_border ? 1 : 0);
   }
 
+  /// Passes of the place of this loop are counted without as many as interrupts have come since its routine began.
+  void allow_interrupts(std::size_t loop) { for_interrupts_.insert(loop); }
+
   /// Events in the order of time; call it as often as there are some.
   void add(const ExecutionLog& log);
 
@@ -31,12 +36,17 @@ class LoopCounts {
   [[nodiscard]] const std::map<std::size_t, std::uint64_t>& most() const { return most_; }
 
  private:
-  using Level = std::map<std::size_t, std::uint64_t>;  ///< passes so far, by loop
+  struct Level {
+    std::map<std::size_t, std::uint64_t> passes = {};  // so far, by loop
+    std::uint64_t interrupts = 0;                      // that have come
+  };
 
+  void begin_level();
   void pass(std::uint32_t number);
 
   std::vector<Level> levels_{Level{}};
   std::map<std::size_t, std::uint64_t> most_;
+  std::set<std::size_t> for_interrupts_;
 };
 
 }  // namespace finemote::emulator

@@ -206,11 +206,11 @@ Json own_times_of(const std::map<unsigned, OwnTime>& times, unsigned first, unsi
   return all;
 }
 
-/// `[place, borders]` of each loop of a job.
+/// `[place, borders, whether interrupts add iterations]` of each loop of a job.
 std::vector<WatchedLoop> loops_of(const Json& job) {
   std::vector<WatchedLoop> loops;
   for (const Json& loop : job.value("loops", Json::array()))
-    loops.push_back({loop.at(0), loop.at(1).get<std::vector<std::uint32_t>>()});
+    loops.push_back({loop.at(0), loop.at(1).get<std::vector<std::uint32_t>>(), loop.at(2)});
   return loops;
 }
 

@@ -29,6 +29,14 @@ std::string where(const ToldLoop& told) {
   return told.file.empty() ? fmt::format("{:#010x}", told.loop.place) : fmt::format("{}:{}", told.file, told.line);
 }
 
+std::string broken_mark(const ToldLoop& told, std::uint64_t passes) {
+  const std::string place = fmt::format("{}: in '{}': the loop passed its mark", where(told), told.function);
+  if (told.loop.is_for_interrupts)
+    return fmt::format("{} {} times besides one for each interrupt, and retried_if_interrupted() says once", place,
+                       passes);
+  return fmt::format("{} {} times, and LoopBound<{}> says at most {}", place, passes, told.loop.bound, told.loop.bound);
+}
+
 }  // namespace
 
 std::vector<ToldLoop> told_loops(const std::string& image_path, const SourceNames& names, Diagnostics& diagnostics) {
@@ -51,7 +59,7 @@ std::vector<ToldLoop> told_loops(const std::string& image_path, const SourceName
 
 Json watched_loops(const std::vector<ToldLoop>& loops) {
   Json list = Json::array();
-  for (const ToldLoop& told : loops) list.push_back({told.loop.place, told.loop.borders});
+  for (const ToldLoop& told : loops) list.push_back({told.loop.place, told.loop.borders, told.loop.is_for_interrupts});
   return list;
 }
 
@@ -62,13 +70,12 @@ bool check_loops(const std::vector<ToldLoop>& loops, const std::vector<std::uint
     const ToldLoop& told = loops[i];
     const std::uint64_t most = passes_of(i, passes);
     if (judge(told, most) != Judgement::broken) continue;
-    const std::string message =
-        fmt::format("{}: in '{}': the loop passed its mark {} times, and LoopBound<{}> says at most {}", where(told),
-                    told.function, most, told.loop.bound, told.loop.bound);
+    const std::string message = broken_mark(told, most);
     if (!said.insert(message).second) continue;
     diagnostics.error(code::told_loop, {}, message)
         .note("execution times that were computed from this mark are no bounds")
-        .hint("write a bound that holds for every input, or make the loop end there");
+        .hint(told.loop.is_for_interrupts ? "mark a loop that turns for other reasons with LoopBound<n>"
+                                          : "write a bound that holds for every input, or make the loop end there");
   }
   return said.empty();
 }

@@ -12,7 +12,7 @@
 
 namespace finemote::gen {
 
-/// `LoopBound<n>` in an image, and where it stands in the sources.
+/// `LoopBound<n>` or `retried_if_interrupted()` in an image, and where it stands in the sources.
 struct ToldLoop {
   wcet::MarkedLoop loop;
   std::string function;  ///< readable

@@ -32,6 +32,10 @@ bool ends_loop_around(const LoopNest& nest, std::uint32_t mark, const Marks& mar
   return nest.is_on_every_turn(mark) && is_of_loop_around(nest, mark, marks);
 }
 
+std::uint32_t passes_besides(const Loop& loop, std::uint32_t mark, const Marks& marks) {
+  return marks.ids.count(mark) != 0 ? 0 : loop.passes_besides(mark);
+}
+
 std::string why_endless(const LoopNest& nest, std::size_t index, const Marks& marks) {
   std::vector<std::uint32_t> all = marks_in(nest, index, marks.loop_bounds);
   const std::vector<std::uint32_t> waits = marks_in(nest, index, marks.waits);

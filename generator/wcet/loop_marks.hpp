@@ -24,6 +24,10 @@ bool is_of_loop_around(const LoopNest& nest, std::uint32_t mark, const Marks& ma
 /// It is, and every iteration passes it: otherwise nothing says which iterations are the long ones.
 bool ends_loop_around(const LoopNest& nest, std::uint32_t mark, const Marks& marks);
 
+/// How often a mark may be passed in its loop beyond what it says: without an instruction of its own it may lie before
+/// a test that leads out.
+std::uint32_t passes_besides(const Loop& loop, std::uint32_t mark, const Marks& marks);
+
 /// Of a loop that no mark ends and the code does not: why none does.
 /// @param index  of a loop of `nest`
 std::string why_endless(const LoopNest& nest, std::size_t index, const Marks& marks);

@@ -19,9 +19,6 @@ bool is_bounded(const Frame& frame, std::uint32_t block, const Marks& marks) {
   return loop != frame.unmarked && ends_loop_around(frame.nest, block, marks);
 }
 
-/// Without an instruction of its own it may be passed before a test that leads out.
-bool has_place(std::uint32_t block, const Marks& marks) { return marks.ids.count(block) != 0; }
-
 }  // namespace
 
 bool is_passed_by_some(const Frame& frame, std::uint32_t block, const Marks& marks) {
@@ -30,8 +27,7 @@ bool is_passed_by_some(const Frame& frame, std::uint32_t block, const Marks& mar
 
 bool pass_mark(Frame& frame, std::uint32_t block, const Marks& marks) {
   if (!is_bounded(frame, block, marks)) return true;
-  const Loop& loop = frame.nest.loops()[*frame.nest.around(block)];
-  const std::uint32_t besides = has_place(block, marks) ? 0 : loop.passes_besides(block);
+  const std::uint32_t besides = passes_besides(frame.nest.loops()[*frame.nest.around(block)], block, marks);
   std::uint32_t& passes = frame.passes[block];
   if (passes < marks.loop_bounds.at(block) + besides) return ++passes, true;
   frame.is_cut_by_mark = true;

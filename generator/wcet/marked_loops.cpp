@@ -36,13 +36,16 @@ void add_loops(const ProgramFunction& function, const Marks& marks, std::vector<
   const LoopNest nest(function.graph);
   if (!nest.irreducible().empty()) return;  // a loop that is entered in its middle is none of the nest's
   for (const auto& [place, bound] : marks.loop_bounds) {
-    if (function.graph.blocks.count(place) == 0 || marks.retries.count(place) != 0) continue;
+    if (function.graph.blocks.count(place) == 0) continue;
     const auto around = nest.around(place);
-    if (!around || !is_of_loop_around(nest, place, marks)) continue;
+    const bool is_for_interrupts = marks.retries.count(place) != 0;
+    if (!around || (!is_for_interrupts && !is_of_loop_around(nest, place, marks))) continue;
     const Loop& loop = nest.loops()[*around];
     if (has_hidden_ends(function.graph, loop)) continue;
     const std::set<std::uint32_t> borders = borders_of(function.graph, loop);
-    loops.push_back({place, loop.header, bound, function.symbol->name, {borders.begin(), borders.end()}});
+    const std::uint32_t most = bound + passes_besides(loop, place, marks);
+    loops.push_back(
+        {place, loop.header, most, is_for_interrupts, function.symbol->name, {borders.begin(), borders.end()}});
   }
 }
 

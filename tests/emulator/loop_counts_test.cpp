@@ -48,3 +48,15 @@ TEST_CASE("a reset ends every loop") {
               event(Kind::resume, 20), pass(0)});
   CHECK(most(counts, 0) == 2);
 }
+
+TEST_CASE("a loop that interrupts make go round once more may do so once for each") {
+  LoopCounts counts;
+  counts.allow_interrupts(0);
+  counts.add({event(Kind::enter, 20), border(0), pass(0), event(Kind::enter, 30), pass(0), event(Kind::leave, 30),
+              event(Kind::resume, 30), pass(0), border(0)});
+  CHECK(most(counts, 0) == 1);
+  counts.add({pass(0), pass(0), pass(0)});  // the interrupt may have come before its entry
+  CHECK(most(counts, 0) == 2);
+  counts.add({event(Kind::leave, 20), event(Kind::tail, 21), pass(0), pass(0), pass(0)});
+  CHECK(most(counts, 0) == 3);
+}
