@@ -45,7 +45,7 @@ class Stepping {
         break;
       }
       last = pass(*last);
-      if (step_.problem) return std::move(step_);
+      if (is_lost_) return std::move(step_);
       if (last->end() < block_.end) step_.cost += cost_.fall(*last);
     }
     add_ways({function_, block_, surroundings_, cost_, *last}, std::move(machine_), step_);
@@ -55,6 +55,7 @@ class Stepping {
  private:
   Step fail(std::uint32_t address, std::string why) {
     step_.problem = {address, std::move(why)};
+    is_lost_ = true;
     return std::move(step_);
   }
 
@@ -62,8 +63,9 @@ class Stepping {
   Cycles time(const Instruction& i, const Machine& machine) {
     const auto cycles = cost_.run(i, machine);
     if (!cycles) step_.problem = {i.address, fmt::format("'{}' has no documented longest time", i.text)};
-    if (writes_constant(i, machine, surroundings_.constants))
-      step_.problem = {i.address, "a store to what is const (a mutable member, or an object that is made anew)"};
+    is_lost_ |= !cycles;
+    if (!step_.problem && writes_constant(i, machine, surroundings_.constants))
+      step_.problem = {i.address, kStoreToConstant};
     return cycles.value_or(0);
   }
 
@@ -135,6 +137,7 @@ class Stepping {
   const CodeCost& cost_;
   Machine machine_;
   Step step_;
+  bool is_lost_ = false;  // there is no knowing what comes after the problem
 };
 
 }  // namespace

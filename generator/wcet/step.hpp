@@ -12,6 +12,10 @@
 
 namespace finemote::gen::wcet {
 
+/// Of a problem behind which the block goes on all the same.
+inline constexpr const char* kStoreToConstant =
+    "a store to what is const (a mutable member, or an object that is made anew)";
+
 /// What a return puts into the program counter.
 struct Return {
   Interval to = Interval::any();

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "generator/wcet/call_chain.hpp"
 #include "generator/wcet/countdown.hpp"
 #include "generator/wcet/exclusive_stores.hpp"
 #include "generator/wcet/frame.hpp"
@@ -25,9 +26,6 @@ namespace {
 constexpr std::size_t kMostNodes = 1'000'000;
 /// Those of tries that leave no trace included.
 constexpr std::size_t kMostVisits = 2'000'000;
-constexpr std::size_t kDeepestCalls = 64;
-constexpr const char* kOtherPlace = "a call between code in SRAM and code in flash";
-constexpr const char* kTooDeep = "more than 64 calls in each other";
 /// A tenth of a second: longer ones are none of a routine that has a period.
 constexpr Cycles kLongestWait = 16'800'000;
 /// What is in the link register where a routine begins: ARMv7-M B1.5.8.
@@ -88,6 +86,19 @@ std::optional<int> counter_of(const Frame& frame, std::size_t index, const Marks
   return wraps ? std::nullopt : reg;
 }
 
+std::set<std::uint32_t> places_of(const std::map<std::uint32_t, WalkProblem>& problems) {
+  std::set<std::uint32_t> places;
+  for (const auto& [place, problem] : problems) places.insert(place);
+  return places;
+}
+
+/// The loop has no end, and went past what it was to go through.
+void drop_stores_behind(const std::set<std::uint32_t>& known, std::map<std::uint32_t, WalkProblem>& problems) {
+  std::erase_if(problems, [&](const auto& problem) {
+    return problem.second.why == kStoreToConstant && known.count(problem.first) == 0;
+  });
+}
+
 /// Of a block and the longest way out of it.
 Cycles longest_round(const Step& step) {
   Cycles longest = step.cost;
@@ -123,8 +134,6 @@ bool is_back(const Way& way, const Frame& frame) {
   return way.back.is_made ? way.back.to == frame.back : meet(way.back.to, frame.back).has_value();
 }
 
-bool is_in_flash(std::uint32_t address) { return address >> 24 == 0x08; }
-
 Machine at_entry(std::uint32_t stack_top) {
   Machine machine;
   for (int reg = ARM_REG_R0; reg <= ARM_REG_R12; ++reg) machine.set(reg, Value::in(Interval::any()));
@@ -139,31 +148,6 @@ std::size_t add_node(UnrolledNode node, Walked& walked) {
   walked.graph.nodes.push_back(std::move(node));
   return walked.graph.nodes.size() - 1;
 }
-
-/// The functions that are gone through, outermost first, each with the call that led to it.
-class CallChain {
- public:
-  [[nodiscard]] std::size_t depth() const { return open_.size(); }
-  [[nodiscard]] bool has(const ProgramFunction* function) const {
-    return std::any_of(open_.begin(), open_.end(), [&](const Open& open) { return open.function == function; });
-  }
-  void enter(const ProgramFunction* function, std::uint32_t from) { open_.push_back({function, from}); }
-  void leave() { open_.pop_back(); }
-
-  /// Innermost first.
-  [[nodiscard]] std::vector<CallSite> sites() const {
-    std::vector<CallSite> sites;
-    for (std::size_t i = open_.size(); i-- > 1;) sites.push_back({open_[i].from, open_[i - 1].function});
-    return sites;
-  }
-
- private:
-  struct Open {
-    const ProgramFunction* function;
-    std::uint32_t from;
-  };
-  std::vector<Open> open_;
-};
 
 /// Where the walk was when it gave up: the loop that had turned most often by then, of equal ones the innermost.
 class LongestLoop {
@@ -212,10 +196,7 @@ class Walker {
   std::optional<Arrival> enter(std::uint32_t address, Arrival arrival, std::uint32_t from,
                                const ProgramFunction* caller) {
     const ProgramFunction* function = context_.program.at(address);
-    if (function == nullptr) return fail(from, caller, "a call of what is no function"), std::nullopt;
-    if (is_in_flash(address) != is_in_flash(from)) return fail(from, caller, kOtherPlace), std::nullopt;
-    if (chain_.has(function)) return fail(from, caller, "recursion: it has no bound"), std::nullopt;
-    if (chain_.depth() == kDeepestCalls) return fail(from, caller, kTooDeep), std::nullopt;
+    if (const char* why = chain_.why_not(address, function, from)) return fail(from, caller, why), std::nullopt;
     chain_.enter(function, from);
     auto end = go_through(*function, std::move(arrival));
     chain_.leave();
@@ -267,6 +248,7 @@ class Walker {
     const Loop& loop = frame.nest.loops()[index];
     for (const std::uint32_t block : loop.blocks) frame.passes.erase(block);
     frame.is_cut_by_mark = false;
+    std::set<std::uint32_t> problems;  // of its first iteration
     for (std::uint64_t rounds = 0;; ++rounds) {
       const Machine before = exclusive_stores_.begin_turn(frame, index);
       const std::uint64_t passed = marks_passed(frame, loop);
@@ -274,9 +256,11 @@ class Walker {
       auto& header = frame.arrivals[loop.header];
       if (is_spent()) longest_.note(rounds, {loop.header, &frame.function, {}, chain_.sites()});
       if (!header) return rounds;
+      if (rounds == 0) problems = places_of(walked_.problems);
       const bool is_same =
           before.covers(header->machine) && header->machine.covers(before) && marks_passed(frame, loop) == passed;
-      if (is_same || rounds == kMostRounds || is_spent()) return header.reset(), std::nullopt;
+      if (!is_same && rounds < kMostRounds && !is_spent()) continue;
+      return header.reset(), drop_stores_behind(problems, walked_.problems), std::nullopt;
     }
   }
 

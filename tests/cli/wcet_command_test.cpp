@@ -155,6 +155,21 @@ TEST_CASE("a loop without a bound is named, with its line, and its routine has n
   CHECK(gap["called_from"][0]["file"].get<std::string>().find("generated/") == 0);
 }
 
+TEST_CASE("a loop without a bound is named, not what lies behind the array that it goes through") {
+  const std::string members =
+      "\n  }\n  std::uint32_t list_[2]{};\n  const std::uint32_t behind_[4] = {1, 2, 3, 4};\n  void more() {";
+  for (const auto& [rounds, why] : {std::pair<std::string, std::string>{"limit_", "a loop whose rounds are not known"},
+                                    {"5", "a store to what is const"}}) {
+    CAPTURE(rounds);
+    const Told told =
+        wcet_of("    for (std::uint32_t i = 0; i < " + rounds + "; ++i) list_[i] = sum_ * behind_[3];" + members);
+    CHECK(told.status == 1);
+    REQUIRE(told.document["unresolved"].size() == 1);
+    CHECK(told.document["unresolved"][0]["why"].get<std::string>().rfind(why, 0) == 0);
+    CHECK(told.document["unresolved"][0]["line"] == 8);
+  }
+}
+
 TEST_CASE("all that keeps a routine from a bound is named at once, also behind a call that cannot be followed") {
   const Told told = wcet_of(
       "reinterpret_cast<void (*)()>(limit_)();\n"
