@@ -13,6 +13,7 @@
 #include "generator/run/compiled_files.hpp"
 #include "generator/run/compiler.hpp"
 #include "generator/run/image_owner.hpp"
+#include "generator/run/library_gaps.hpp"
 #include "generator/run/project.hpp"
 #include "generator/run/wcet_explain.hpp"
 #include "generator/run/wcet_scheduler.hpp"
@@ -111,6 +112,7 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   wcet::ImageTimes times = wcet::time_image(*image, kept, inputs.placement);
   const SourceLines lines(*path);
   const SourceNames names(input->data_dir, input_folder(input->path));
+  times.gaps = blame_callers_of_libraries(times.gaps, lines, names);
   const TimedRobot timed{planned->robot, planned->forest, planned->schedule, times, lines, names, std::move(inputs)};
   std::vector<wcet::TimeGap> found = times.gaps.empty() ? vanished_stages(timed) : std::vector<wcet::TimeGap>();
   std::vector<wcet::TimeGap> foreign = foreign_routines(timed);

@@ -25,7 +25,7 @@ std::string end_below(const fs::path& folder, const fs::path& path) {
 SourceNames::SourceNames(const std::string& data_dir, const std::string& robot_folder)
     : roots_{{data_dir, "finemote/"}, {robot_folder, ""}} {}
 
-std::string SourceNames::of(const std::string& file) const {
+std::string SourceNames::known_name(const std::string& file) const {
   // Where a project is made of generated files alone, the compiler is told to call its folder `robot`.
   constexpr std::string_view kGenerated = "robot/generated/";
   const fs::path path = fs::path(file).lexically_normal();
@@ -36,7 +36,18 @@ std::string SourceNames::of(const std::string& file) const {
     const std::string end = end_below(folder, path);
     if (!end.empty()) return begin + end;
   }
-  return path.filename().generic_string();
+  return {};
+}
+
+std::string SourceNames::of(const std::string& file) const {
+  const std::string known = known_name(file);
+  return known.empty() ? fs::path(file).filename().generic_string() : known;
+}
+
+bool SourceNames::is_of_library(const std::string& file) const {
+  if (!known_name(file).empty()) return false;
+  std::error_code ignored;
+  return file.find("/c++/") != std::string::npos || !fs::exists(file, ignored);
 }
 
 }  // namespace finemote::gen

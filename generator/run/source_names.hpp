@@ -15,8 +15,14 @@ class SourceNames {
 
   /// Generated files are `generated/...`; of files that are nowhere known the last part of the name is left.
   [[nodiscard]] std::string of(const std::string& file) const;
+  /// A file of the compiler's libraries: neither of the robot nor of FineMote, and not there or among the headers of
+  /// C++.
+  [[nodiscard]] bool is_of_library(const std::string& file) const;
 
  private:
+  /// What it is called below one of the folders; empty: it is in none.
+  [[nodiscard]] std::string known_name(const std::string& file) const;
+
   std::vector<std::pair<std::string, std::string>> roots_;  ///< folder, what names begin with
 };
 

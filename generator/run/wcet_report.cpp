@@ -50,6 +50,16 @@ std::string head(const char* what) {
   return fmt::format("  {:<32} {:>9} {:>12} {:>12}\n", what, "cycles", "us", "no fault, us");
 }
 
+/// Stages without a bound, for whatever reason: all of a bucket are of one routine.
+std::string unbounded_stages(const TimedRobot& timed) {
+  std::string text;
+  for (const Stage stage : stages_of(timed)) {
+    if (bracket_of(timed, stage) != nullptr) continue;
+    text += (text.empty() ? "  " : ", ") + name_of(timed, stage);
+  }
+  return text.empty() ? "" : "\nwithout a bound therefore, as a bucket is bounded as a whole\n" + text + "\n";
+}
+
 }  // namespace
 
 std::vector<Stage> stages_of(const TimedRobot& timed) {
@@ -131,7 +141,7 @@ std::string wcet_text(const TimedRobot& timed) {
     for (const wcet::CodePlace& call : gap.calls)
       text += fmt::format("    called at {}, in '{}'\n", code_place(call.address, timed), call.function);
   }
-  return text;
+  return text + unbounded_stages(timed);
 }
 
 }  // namespace finemote::gen

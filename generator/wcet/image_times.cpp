@@ -22,13 +22,22 @@ std::string name_of(const ProgramFunction* function) {
   return function == nullptr ? std::string("?") : readable_name(function->symbol->name);
 }
 
+/// Of a function that calculates with 'double': what its caller asks of this core; empty: it does not.
+std::string asked_of(const std::string& function) {
+  if (is_double_arithmetic(function))
+    return fmt::format("arithmetic on 'double' has no bound on this core: {}", kInsteadOfDouble);
+  if (is_float_to_64_bits(function))
+    return fmt::format("a 64-bit integer made of a 'float' has no bound on this core: {}", kInsteadOf64Bits);
+  return {};
+}
+
 /// Arithmetic on 'double' is what its caller does, wherever in it the way was lost.
 void blame_caller(TimeGap& gap) {
-  while (is_double_arithmetic(gap.function) && !gap.calls.empty()) {
+  for (std::string why; !gap.calls.empty() && !(why = asked_of(gap.function)).empty();) {
     gap.address = gap.calls.front().address;
     gap.function = gap.calls.front().function;
     gap.calls.erase(gap.calls.begin());
-    gap.why = fmt::format("arithmetic on 'double' has no bound on this core: {}", kInsteadOfDouble);
+    gap.why = why;
   }
 }
 

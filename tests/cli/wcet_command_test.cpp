@@ -170,6 +170,44 @@ TEST_CASE("a loop without a bound is named, not what lies behind the array that 
   }
 }
 
+TEST_CASE("a function of a library without a bound is told where it is called, with what stands in for it") {
+  const auto why_of = [](const std::string& loop) {
+    const Told told = wcet_of(loop);
+    CHECK(told.status == 1);
+    CAPTURE(told.document["unresolved"].dump(1));
+    REQUIRE(told.document["unresolved"].size() == 1);
+    const Json& gap = told.document["unresolved"][0];
+    CHECK(gap["file"].get<std::string>().find("counter.hpp") != std::string::npos);
+    CHECK(gap["line"] == 8);
+    return gap["why"].get<std::string>();
+  };
+  CHECK(why_of("__builtin_memset(list_, 0, sum_ % 60);\n  }\n  unsigned char list_[64]{};\n  void more() {") ==
+        "'memset' is a function of the library, and has no bound: give it a size that the compiler knows, or write "
+        "the loop");
+  CHECK(why_of("sum_ = static_cast<std::uint32_t>(__builtin_sinf(static_cast<float>(sum_)));") ==
+        "'sinf' is a function of the library, and has no bound: use finemote::sine() of finemote/control/sine.hpp");
+  CHECK(why_of("time_ = static_cast<std::int64_t>(static_cast<float>(sum_) * 1e9F);\n  }\n  std::int64_t volatile "
+               "time_ = 0;\n  void more() {") ==
+        "a 64-bit integer made of a 'float' has no bound on this core: make a 32-bit integer of it first");
+}
+
+TEST_CASE("a stage that has no bound because of another one of its bucket is named") {
+  const TemporaryFolder folder;
+  write_file(folder.path("r.urdf"), R"(<robot name="r"><link name="l"/><finemote version="1">
+    <board name="robomaster_type_c"/><device name="own" type="counter" period="5ms"/>
+    <device name="load" type="sim_load" period="5ms"><param name="update">9us</param></device></finemote></robot>)");
+  write_file(folder.path("devices/counter.json"), kDescriptor);
+  write_file(folder.path("devices/counter.hpp"),
+             header_with("for (std::uint32_t i = 0; i < limit_; ++i) sum_ = sum_ + i;"));
+  const auto result = run_finemote({"wcet", folder.path("r.urdf")});
+  CHECK(result.exit_status == 1);
+  CAPTURE(result.output);
+  const std::string end =
+      "\nwithout a bound therefore, as a bucket is bounded as a whole\n"
+      "  own.update, own.handle, load.update, load.handle\n";
+  CHECK(result.output.find(end) != std::string::npos);
+}
+
 TEST_CASE("all that keeps a routine from a bound is named at once, also behind a call that cannot be followed") {
   const Told told = wcet_of(
       "reinterpret_cast<void (*)()>(limit_)();\n"
