@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/wcet/carry.hpp"
 #include "generator/wcet/forget.hpp"
 #include "generator/wcet/memory_access.hpp"
 #include "generator/wcet/operands.hpp"
@@ -140,10 +141,7 @@ void reverse_subtraction(const Instruction& i, Machine& machine) {
   set_result(i, difference(b, a), machine);
 }
 
-void move(const Instruction& i, Machine& machine) {
-  const Value value = operand(i, 1, machine);
-  set_result(i, value, machine);
-}
+void move(const Instruction& i, Machine& machine) { set_result(i, operand(i, 1, machine), machine); }
 
 void complement(const Instruction& i, Machine& machine) {
   const Value value = operand(i, 1, machine);
@@ -385,7 +383,8 @@ void run(const Instruction& i, const Surroundings& surroundings, Machine& machin
   }
   const MemoryUse use = memory_use(i, machine);
   if (use.kind != MemoryUse::Kind::none) return access_memory(i, use, surroundings, machine);
-  if (flag_setting(i, machine) || arithmetic(i, machine) || moves_and_fields(i, machine)) return;
+  if (flag_setting(i, machine) || arithmetic(i, machine) || moves_and_fields(i, machine) || use_carry(i, machine))
+    return;
   forget(i, machine);
 }
 
