@@ -8,7 +8,8 @@
 namespace finemote::gen::wcet {
 
 inline constexpr const char* kLongRepetition =
-    "an interrupt makes it turn once more, which takes too long: its work is to be outside of LDREX and STREX";
+    "an interrupt makes it turn once more, which takes too long: its work, and barriers ('memory_order_relaxed' has "
+    "none), are to be outside of LDREX and STREX";
 
 /// What an interrupt may have done again [cycles]: fits into `preemption` of the chip's file (wcet_pieces_test).
 inline constexpr Cycles kLongestRepetition = 42;
