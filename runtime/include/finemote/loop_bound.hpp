@@ -75,7 +75,7 @@ enum class RetriedBy : std::uint32_t {
 
 /// This place, in the body of a loop, is passed once from when the loop is entered to when it is left, and once more
 /// for each interrupt of this kind that comes in between: it tries again what that has disturbed. Further rounds are
-/// charged to these interrupts.
+/// charged to these interrupts. What is told must be true: `finemote run` counts the passes, as those of a LoopBound.
 template <RetriedBy by>
 [[gnu::always_inline]] inline void retried_if_interrupted() {
   detail::tell_loop<detail::kUnlessInterrupted | static_cast<std::uint32_t>(by) << detail::kRetriedByShift | 1U>();
@@ -83,6 +83,7 @@ template <RetriedBy by>
 
 /// From when it is made on, which is before a loop, `pass()` in the body of that loop is passed in every round, but in
 /// none that begins more than `cycles()` cycles later. Making it puts the number into a register; a pass costs a `nop`.
+/// What is told must be true: bounds are computed from it, and nothing checks it.
 /// @code const WaitBound wait(limit);
 ///       while (!is_ready() && cycles() - begin < limit) wait.pass(); @endcode
 class WaitBound {
