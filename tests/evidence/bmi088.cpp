@@ -66,10 +66,18 @@ struct Drive {
     Bmi088 imu{{}, nullptr, accel_slot, gyro_slot, &channel};
     bus.start();
     heater.start();
-    for (int i = 0; i < 600; ++i) {
-      host::advance(kMillisecond);
-      imu.update();
-    }
+    const auto update_for = [&](int ms) {
+      for (; ms != 0; --ms) {
+        host::advance(kMillisecond);
+        imu.update();
+      }
+    };
+    const auto held = accelerometer.registers;
+    accelerometer.hold(0x12,
+                       {0, 0, 0, 0, 0x55, 0x15});  // level, 1 g of 6: nothing is valid before gravity has been seen
+    update_for(500);
+    accelerometer.registers = held;
+    update_for(100);
     state = imu.state;
     temperature = imu.temperature();
   }

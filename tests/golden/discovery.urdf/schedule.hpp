@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 254.359 us of its release.
+/// a job ends within 253.077 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 533.074 us of its release.
+/// a job ends within 532.899 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{254359, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{525626, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{525626, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{525626, 24040040, 24135676};
-inline constexpr finemote::Bounds green_led{523483, 24037897, 24135676};
-inline constexpr finemote::Bounds blue_led{519969, 24034384, 24135545};
-inline constexpr finemote::Bounds station{516582, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{253077, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{525451, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{525451, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{525451, 24039747, 24134244};
+inline constexpr finemote::Bounds green_led{523308, 24037604, 24134244};
+inline constexpr finemote::Bounds blue_led{519752, 24034049, 24134113};
+inline constexpr finemote::Bounds station{516323, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 379880, finemote::kNothingToBound, nullptr},  // imu
-    {1, 895819, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 893119, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 890353, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 887653, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 884953, 31165683, &rov::thruster_1.command},  // thruster_1
-    {1, 877529, 31160922, &rov::thruster_2.command},  // thruster_2
-    {1, 872769, 31156096, &rov::thruster_3.command},  // thruster_3
-    {1, 867943, 31143241, &rov::thruster_4.command},  // thruster_4
-    {1, 857679, 31138409, &rov::thruster_5.command},  // thruster_5
-    {1, 850328, 31133655, &rov::thruster_6.command},  // thruster_6
-    {1, 845502, 31126232, &rov::thruster_7.command},  // thruster_7
-    {1, 840742, 31121471, &rov::thruster_8.command},  // thruster_8
-    {1, 835915, finemote::kNothingToBound, nullptr},  // rov
+    {0, 380779, finemote::kNothingToBound, nullptr},  // imu
+    {1, 895577, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 892877, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 890111, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 887411, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 884711, 31163540, &rov::thruster_1.command},  // thruster_1
+    {1, 877287, 31158714, &rov::thruster_2.command},  // thruster_2
+    {1, 872527, 31146050, &rov::thruster_3.command},  // thruster_3
+    {1, 867701, 31141289, &rov::thruster_4.command},  // thruster_4
+    {1, 855030, 31136457, &rov::thruster_5.command},  // thruster_5
+    {1, 850276, 31129106, &rov::thruster_6.command},  // thruster_6
+    {1, 845450, 31124279, &rov::thruster_7.command},  // thruster_7
+    {1, 840690, 31119519, &rov::thruster_8.command},  // thruster_8
+    {1, 835863, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

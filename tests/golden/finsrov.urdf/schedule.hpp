@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 374.46 us of its release.
+/// a job ends within 375.358 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 943.458 us of its release.
+/// a job ends within 953.561 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{374460, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{824512, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{824512, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{824512, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{824512, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{824512, 31104041, 34923682};
-inline constexpr finemote::Bounds thruster_2{822452, 31101915, 34939478};
-inline constexpr finemote::Bounds thruster_3{820392, 31099855, 34939478};
-inline constexpr finemote::Bounds thruster_4{818331, 31097795, 34939545};
-inline constexpr finemote::Bounds thruster_5{816199, 31095729, 34939545};
-inline constexpr finemote::Bounds thruster_6{814145, 31091012, 34936882};
-inline constexpr finemote::Bounds thruster_7{809488, 31088951, 34936881};
-inline constexpr finemote::Bounds thruster_8{807428, 31086891, 34936881};
-inline constexpr finemote::Bounds rov{805302, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{375358, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{824460, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{824460, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{824460, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{824460, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{824460, 31102023, 34923247};
+inline constexpr finemote::Bounds thruster_2{822400, 31099963, 34923247};
+inline constexpr finemote::Bounds thruster_3{820340, 31097903, 34923247};
+inline constexpr finemote::Bounds thruster_4{818279, 31095843, 34923313};
+inline constexpr finemote::Bounds thruster_5{816147, 31091114, 34920650};
+inline constexpr finemote::Bounds thruster_6{814093, 31089059, 34920649};
+inline constexpr finemote::Bounds thruster_7{809436, 31086999, 34920649};
+inline constexpr finemote::Bounds thruster_8{807376, 31084939, 34920649};
+inline constexpr finemote::Bounds rov{805250, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

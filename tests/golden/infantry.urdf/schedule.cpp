@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 192211, finemote::kNothingToBound, nullptr},  // imu
-    {0, 185969, 29102670, &gimbal::yaw.command},  // yaw
-    {0, 178595, 29095296, &gimbal::pitch.command},  // pitch
-    {1, 241166, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 309503, 27226104, &chassis::front_left.command},  // front_left
-    {2, 302386, 27218987, &chassis::front_right.command},  // front_right
-    {2, 295196, 27211797, &chassis::rear_left.command},  // rear_left
-    {2, 288079, 27204680, &chassis::rear_right.command},  // rear_right
-    {2, 280956, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 397731, finemote::kNothingToBound, nullptr},  // remote
+    {0, 191777, finemote::kNothingToBound, nullptr},  // imu
+    {0, 185535, 29101404, &gimbal::yaw.command},  // yaw
+    {0, 178161, 29094030, &gimbal::pitch.command},  // pitch
+    {1, 240732, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 309069, 27224838, &chassis::front_left.command},  // front_left
+    {2, 301952, 27217721, &chassis::front_right.command},  // front_right
+    {2, 294762, 27210531, &chassis::rear_left.command},  // rear_left
+    {2, 287645, 27203414, &chassis::rear_right.command},  // rear_right
+    {2, 280522, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 396881, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

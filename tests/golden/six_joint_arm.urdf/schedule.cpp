@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 407071, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 249755, 29410803, &arm::base.command},  // base
-    {0, 242638, 29403686, &arm::shoulder.command},  // shoulder
-    {0, 217759, 29378807, &arm::elbow.command},  // elbow
-    {0, 210642, 29371690, &arm::wrist_roll.command},  // wrist_roll
-    {0, 203519, 29364567, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 190780, 29351828, &arm::flange.command},  // flange
-    {0, 183657, finemote::kNothingToBound, nullptr},  // arm
+    {1, 406031, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 249131, 29409971, &arm::base.command},  // base
+    {0, 242014, 29402854, &arm::shoulder.command},  // shoulder
+    {0, 217135, 29377975, &arm::elbow.command},  // elbow
+    {0, 210018, 29370858, &arm::wrist_roll.command},  // wrist_roll
+    {0, 202895, 29363735, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 190364, 29351204, &arm::flange.command},  // flange
+    {0, 183241, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace
