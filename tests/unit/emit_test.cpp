@@ -20,16 +20,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Where the templates are that include each other.
+const finemote::test::TemporaryFolder& templates() {
+  static const finemote::test::TemporaryFolder folder;
+  return folder;
+}
+
 /// A template with this text, for as long as the object lives.
 class TemplateFile {
  public:
   explicit TemplateFile(const std::string& text, std::string name = "template.in") : name_(std::move(name)) {
-    std::ofstream(folder_.path(name_), std::ios::binary) << text;
+    std::ofstream(templates().path(name_), std::ios::binary) << text;
   }
-  [[nodiscard]] std::string fill(const Data& data) const { return Templates(folder_.path()).fill(name_, data); }
+  TemplateFile(const TemplateFile&) = delete;
+  TemplateFile& operator=(const TemplateFile&) = delete;
+  ~TemplateFile() { fs::remove(templates().path(name_)); }
+  [[nodiscard]] std::string fill(const Data& data) const { return Templates(templates().path()).fill(name_, data); }
 
  private:
-  finemote::test::TemporaryFolder folder_;
   std::string name_;
 };
 

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 258543, finemote::kNothingToBound, nullptr},  // imu
-    {1, 556280, finemote::kNothingToBound, nullptr},  // depth
-    {1, 553448, finemote::kNothingToBound, nullptr},  // button
-    {1, 550682, 24405231, &station::servo.command},  // servo
-    {1, 545839, 24400256, &station::green_led.command},  // green_led
-    {1, 539583, 24394066, &station::blue_led.command},  // blue_led
-    {1, 533454, finemote::kNothingToBound, nullptr},  // station
+    {0, 258430, finemote::kNothingToBound, nullptr},  // imu
+    {1, 556167, finemote::kNothingToBound, nullptr},  // depth
+    {1, 553335, finemote::kNothingToBound, nullptr},  // button
+    {1, 550569, 24404892, &station::servo.command},  // servo
+    {1, 545726, 24399917, &station::green_led.command},  // green_led
+    {1, 539470, 24393727, &station::blue_led.command},  // blue_led
+    {1, 533341, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

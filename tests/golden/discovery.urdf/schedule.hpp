@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 253.077 us of its release.
+/// a job ends within 252.964 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 532.899 us of its release.
+/// a job ends within 532.786 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{253077, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{525451, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{525451, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{525451, 24039747, 24134244};
-inline constexpr finemote::Bounds green_led{523308, 24037604, 24134244};
-inline constexpr finemote::Bounds blue_led{519752, 24034049, 24134113};
-inline constexpr finemote::Bounds station{516323, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{252964, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{525338, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{525338, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{525338, 24039634, 24134018};
+inline constexpr finemote::Bounds green_led{523195, 24037491, 24134018};
+inline constexpr finemote::Bounds blue_led{519639, 24033936, 24133886};
+inline constexpr finemote::Bounds station{516210, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

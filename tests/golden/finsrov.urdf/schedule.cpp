@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 380779, finemote::kNothingToBound, nullptr},  // imu
-    {1, 895577, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 892877, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 890111, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 887411, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 884711, 31163540, &rov::thruster_1.command},  // thruster_1
-    {1, 877287, 31158714, &rov::thruster_2.command},  // thruster_2
-    {1, 872527, 31146050, &rov::thruster_3.command},  // thruster_3
-    {1, 867701, 31141289, &rov::thruster_4.command},  // thruster_4
-    {1, 855030, 31136457, &rov::thruster_5.command},  // thruster_5
-    {1, 850276, 31129106, &rov::thruster_6.command},  // thruster_6
-    {1, 845450, 31124279, &rov::thruster_7.command},  // thruster_7
-    {1, 840690, 31119519, &rov::thruster_8.command},  // thruster_8
-    {1, 835863, finemote::kNothingToBound, nullptr},  // rov
+    {0, 380666, finemote::kNothingToBound, nullptr},  // imu
+    {1, 895464, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 892764, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 889998, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 887298, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 884598, 31163427, &rov::thruster_1.command},  // thruster_1
+    {1, 877174, 31158601, &rov::thruster_2.command},  // thruster_2
+    {1, 872414, 31145937, &rov::thruster_3.command},  // thruster_3
+    {1, 867588, 31141176, &rov::thruster_4.command},  // thruster_4
+    {1, 854917, 31136344, &rov::thruster_5.command},  // thruster_5
+    {1, 850163, 31128993, &rov::thruster_6.command},  // thruster_6
+    {1, 845337, 31124166, &rov::thruster_7.command},  // thruster_7
+    {1, 840577, 31119406, &rov::thruster_8.command},  // thruster_8
+    {1, 835750, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 375.358 us of its release.
+/// a job ends within 375.245 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 953.561 us of its release.
+/// a job ends within 953.448 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{375358, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{824460, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{824460, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{824460, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{824460, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{824460, 31102023, 34923247};
-inline constexpr finemote::Bounds thruster_2{822400, 31099963, 34923247};
-inline constexpr finemote::Bounds thruster_3{820340, 31097903, 34923247};
-inline constexpr finemote::Bounds thruster_4{818279, 31095843, 34923313};
-inline constexpr finemote::Bounds thruster_5{816147, 31091114, 34920650};
-inline constexpr finemote::Bounds thruster_6{814093, 31089059, 34920649};
-inline constexpr finemote::Bounds thruster_7{809436, 31086999, 34920649};
-inline constexpr finemote::Bounds thruster_8{807376, 31084939, 34920649};
-inline constexpr finemote::Bounds rov{805250, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{375245, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{824347, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{824347, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{824347, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{824347, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{824347, 31101910, 34921890};
+inline constexpr finemote::Bounds thruster_2{822287, 31099850, 34921891};
+inline constexpr finemote::Bounds thruster_3{820227, 31097790, 34921891};
+inline constexpr finemote::Bounds thruster_4{818166, 31095730, 34921957};
+inline constexpr finemote::Bounds thruster_5{816034, 31091001, 34919294};
+inline constexpr finemote::Bounds thruster_6{813980, 31088946, 34919293};
+inline constexpr finemote::Bounds thruster_7{809323, 31086886, 34919293};
+inline constexpr finemote::Bounds thruster_8{807263, 31084826, 34919293};
+inline constexpr finemote::Bounds rov{805137, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

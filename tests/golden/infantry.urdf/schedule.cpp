@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 191777, finemote::kNothingToBound, nullptr},  // imu
-    {0, 185535, 29101404, &gimbal::yaw.command},  // yaw
-    {0, 178161, 29094030, &gimbal::pitch.command},  // pitch
-    {1, 240732, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 309069, 27224838, &chassis::front_left.command},  // front_left
-    {2, 301952, 27217721, &chassis::front_right.command},  // front_right
-    {2, 294762, 27210531, &chassis::rear_left.command},  // rear_left
-    {2, 287645, 27203414, &chassis::rear_right.command},  // rear_right
-    {2, 280522, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 396881, finemote::kNothingToBound, nullptr},  // remote
+    {0, 191825, finemote::kNothingToBound, nullptr},  // imu
+    {0, 185583, 29101548, &gimbal::yaw.command},  // yaw
+    {0, 178209, 29094174, &gimbal::pitch.command},  // pitch
+    {1, 240780, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 309117, 27224982, &chassis::front_left.command},  // front_left
+    {2, 302000, 27217865, &chassis::front_right.command},  // front_right
+    {2, 294810, 27210675, &chassis::rear_left.command},  // rear_left
+    {2, 287693, 27203558, &chassis::rear_right.command},  // rear_right
+    {2, 280570, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 396977, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 189.186 us of its release.
+/// a job ends within 189.234 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 204.376 us of its release.
+/// a job ends within 204.424 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 277.766 us of its release.
+/// a job ends within 277.814 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 351.813 us of its release.
+/// a job ends within 351.909 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{178576, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{175034, 28439287, 28797381};
-inline constexpr finemote::Bounds pitch{170361, 28434614, 28797382};
-inline constexpr finemote::Bounds gimbal{204376, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{269401, 26533554, 26935722};
-inline constexpr finemote::Bounds front_right{264984, 26529137, 26935722};
-inline constexpr finemote::Bounds rear_left{260561, 26524714, 26935722};
-inline constexpr finemote::Bounds rear_right{256143, 26520296, 26935721};
-inline constexpr finemote::Bounds chassis{251720, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{351813, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{178624, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{175082, 28439335, 28797453};
+inline constexpr finemote::Bounds pitch{170409, 28434662, 28797454};
+inline constexpr finemote::Bounds gimbal{204424, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{269449, 26533602, 26935818};
+inline constexpr finemote::Bounds front_right{265032, 26529185, 26935818};
+inline constexpr finemote::Bounds rear_left{260609, 26524762, 26935818};
+inline constexpr finemote::Bounds rear_right{256191, 26520344, 26935817};
+inline constexpr finemote::Bounds chassis{251768, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{351909, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

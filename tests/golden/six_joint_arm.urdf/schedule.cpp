@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 406031, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 249131, 29409971, &arm::base.command},  // base
-    {0, 242014, 29402854, &arm::shoulder.command},  // shoulder
-    {0, 217135, 29377975, &arm::elbow.command},  // elbow
-    {0, 210018, 29370858, &arm::wrist_roll.command},  // wrist_roll
-    {0, 202895, 29363735, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 190364, 29351204, &arm::flange.command},  // flange
-    {0, 183241, finemote::kNothingToBound, nullptr},  // arm
+    {1, 406151, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 249203, 29410067, &arm::base.command},  // base
+    {0, 242086, 29402950, &arm::shoulder.command},  // shoulder
+    {0, 217207, 29378071, &arm::elbow.command},  // elbow
+    {0, 210090, 29370954, &arm::wrist_roll.command},  // wrist_roll
+    {0, 202967, 29363831, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 190412, 29351276, &arm::flange.command},  // flange
+    {0, 183289, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 236.87 us of its release.
+/// a job ends within 236.942 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 366.416 us of its release.
+/// a job ends within 366.512 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{366416, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{202575, 28882255, 29199412};
-inline constexpr finemote::Bounds shoulder{192744, 28872424, 29193999};
-inline constexpr finemote::Bounds elbow{188321, 28868001, 29193999};
-inline constexpr finemote::Bounds wrist_roll{183904, 28863584, 29193999};
-inline constexpr finemote::Bounds wrist_pitch{179480, 28859160, 29193998};
-inline constexpr finemote::Bounds flange{175063, 28854743, 29193998};
-inline constexpr finemote::Bounds arm{170640, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{366512, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{202647, 28882327, 29199508};
+inline constexpr finemote::Bounds shoulder{192792, 28872472, 29194071};
+inline constexpr finemote::Bounds elbow{188369, 28868049, 29194071};
+inline constexpr finemote::Bounds wrist_roll{183952, 28863632, 29194071};
+inline constexpr finemote::Bounds wrist_pitch{179528, 28859209, 29194071};
+inline constexpr finemote::Bounds flange{175111, 28854791, 29194070};
+inline constexpr finemote::Bounds arm{170688, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm

@@ -231,6 +231,20 @@ void UartPort::abort_transmit() {
   hardware_->sending.store(false);
 }
 
+/// Bytes that have not left are those of a stream that has died, or the end was that of a block which this one cut
+/// short. The flag alone goes then, which would raise the line for ever: a later end comes, or the deadline.
+[[gnu::always_inline]] inline void UartHardware::end_transmit() {
+  only_if_raised_by<Raised::end>();
+  if (setup.transmit.ndtr().read() != 0) {
+    only_after_fault();
+    setup.usart.sr().write(~usart::kTransmitComplete);
+    return;
+  }
+  setup.usart.cr1().clear(usart::kCompleteInterrupt);
+  drive(false);
+  sending.store(false);
+}
+
 void UartHardware::on_usart() {
   only_if_raised_by<Raised::event, Raised::end>();
   const cortex_m4::UrgentInterrupt interrupt;
@@ -241,20 +255,6 @@ void UartHardware::on_usart() {
   const bool waiting = (registers.cr1().read() & usart::kCompleteInterrupt) != 0;
   if (waiting && (status & usart::kTransmitComplete) != 0) end_transmit();
   stm32f4::settle(registers.cr1());
-}
-
-/// Bytes that have not left are those of a stream that has died, or the end was that of a block which this one cut
-/// short. The flag alone goes then, which would raise the line for ever: a later end comes, or the deadline.
-void UartHardware::end_transmit() {
-  only_if_raised_by<Raised::end>();
-  if (setup.transmit.ndtr().read() != 0) {
-    only_after_fault();
-    setup.usart.sr().write(~usart::kTransmitComplete);
-    return;
-  }
-  setup.usart.cr1().clear(usart::kCompleteInterrupt);
-  drive(false);
-  sending.store(false);
 }
 
 void UartHardware::take_events(std::uint32_t status, Time at) {

@@ -20,28 +20,28 @@
 namespace discovery::station {
 
 /// imu: h30_imu on 'imu_line', every 5 ms
-/// response <= 253.077 us
+/// response <= 252.964 us
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_line};
 
 /// depth: ms5837 on 'i2c' at 0x76, every 10 ms
-/// response <= 525.451 us
+/// response <= 525.338 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 depth{finemote::Ms5837::Config{}, slots::depth};
 
 /// button: key, every 10 ms
-/// response <= 525.451 us
+/// response <= 525.338 us
 FINEMOTE_CONSTINIT inline finemote::Key button{
     finemote::Key::Config{},
     /*line*/ finemote::GpioPin{finemote::ports::gpio, finemote::pin_number('A', 0)}};
 
 /// servo: pwm_servo on 'servo_pulses' channel 0, every 10 ms
-/// response <= 525.451 us; data age <= 24.04 ms when handle() ends, <= 24.135 ms at the output (oldest: station)
+/// response <= 525.338 us; data age <= 24.04 ms when handle() ends, <= 24.135 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::PwmServo servo{
     finemote::PwmServo::Config{},
     /*range*/ nullptr,
     finemote::PwmChannel{servo_pulses, 0}};
 
 /// green_led: led on 'green' channel 0, every 10 ms
-/// response <= 523.308 us; data age <= 24.038 ms when handle() ends, <= 24.135 ms at the output (oldest: station)
+/// response <= 523.195 us; data age <= 24.038 ms when handle() ends, <= 24.135 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led green_led{
     finemote::Led::Config{},
     finemote::PwmChannel{green, 0},
@@ -49,7 +49,7 @@ FINEMOTE_CONSTINIT inline finemote::Led green_led{
     /*blue*/ nullptr};
 
 /// blue_led: led on 'blue' channel 0, every 10 ms
-/// response <= 519.752 us; data age <= 24.035 ms when handle() ends, <= 24.135 ms at the output (oldest: station)
+/// response <= 519.639 us; data age <= 24.034 ms when handle() ends, <= 24.134 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led blue_led{
     finemote::Led::Config{},
     finemote::PwmChannel{blue, 0},
@@ -136,7 +136,7 @@ inline constexpr finemote::LinkLayout station_layout{0x0564275f, station_up, sta
 }  // namespace ports
 
 /// station: host_link on 'computer', every 10 ms
-/// response <= 516.323 us
+/// response <= 516.21 us
 FINEMOTE_CONSTINIT inline finemote::HostLink station{
     finemote::HostLink::Config{},
     ports::station_layout,

@@ -19,61 +19,61 @@
 namespace FinsROV::rov {
 
 /// imu: h30_imu on 'imu_uart', every 5 ms
-/// response <= 375.358 us
+/// response <= 375.245 us
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_uart};
 
 /// baro_1: ms5837 on 'segment_0' at 0x76, every 10 ms
-/// response <= 824.46 us
+/// response <= 824.347 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_1{finemote::Ms5837::Config{}, slots::baro_1};
 
 /// baro_2: ms5837 on 'segment_1' at 0x76, every 10 ms
-/// response <= 824.46 us
+/// response <= 824.347 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_2{finemote::Ms5837::Config{}, slots::baro_2};
 
 /// baro_3: ms5837 on 'segment_2' at 0x76, every 10 ms
-/// response <= 824.46 us
+/// response <= 824.347 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_3{finemote::Ms5837::Config{}, slots::baro_3};
 
 /// baro_4: ms5837 on 'segment_3' at 0x76, every 10 ms
-/// response <= 824.46 us
+/// response <= 824.347 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{finemote::Ms5837::Config{}, slots::baro_4};
 
 /// thruster_1: pwm_esc on 'pwm' channel 0, every 10 ms
-/// response <= 824.46 us; data age <= 31.103 ms when handle() ends, <= 34.924 ms at the output (oldest: baro_4)
+/// response <= 824.347 us; data age <= 31.102 ms when handle() ends, <= 34.922 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 0}};
 
 /// thruster_2: pwm_esc on 'pwm' channel 1, every 10 ms
-/// response <= 822.4 us; data age <= 31.1 ms when handle() ends, <= 34.924 ms at the output (oldest: baro_4)
+/// response <= 822.287 us; data age <= 31.1 ms when handle() ends, <= 34.922 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 1}};
 
 /// thruster_3: pwm_esc on 'pwm' channel 2, every 10 ms
-/// response <= 820.34 us; data age <= 31.098 ms when handle() ends, <= 34.924 ms at the output (oldest: baro_4)
+/// response <= 820.227 us; data age <= 31.098 ms when handle() ends, <= 34.922 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 2}};
 
 /// thruster_4: pwm_esc on 'pwm' channel 3, every 10 ms
-/// response <= 818.279 us; data age <= 31.096 ms when handle() ends, <= 34.924 ms at the output (oldest: baro_4)
+/// response <= 818.166 us; data age <= 31.096 ms when handle() ends, <= 34.922 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 3}};
 
 /// thruster_5: pwm_esc on 'pwm' channel 4, every 10 ms
-/// response <= 816.147 us; data age <= 31.092 ms when handle() ends, <= 34.921 ms at the output (oldest: baro_4)
+/// response <= 816.034 us; data age <= 31.092 ms when handle() ends, <= 34.92 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 4}};
 
 /// thruster_6: pwm_esc on 'pwm' channel 5, every 10 ms
-/// response <= 814.093 us; data age <= 31.09 ms when handle() ends, <= 34.921 ms at the output (oldest: baro_4)
+/// response <= 813.98 us; data age <= 31.089 ms when handle() ends, <= 34.92 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
-/// response <= 809.436 us; data age <= 31.087 ms when handle() ends, <= 34.921 ms at the output (oldest: baro_4)
+/// response <= 809.323 us; data age <= 31.087 ms when handle() ends, <= 34.92 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
-/// response <= 807.376 us; data age <= 31.085 ms when handle() ends, <= 34.921 ms at the output (oldest: baro_4)
+/// response <= 807.263 us; data age <= 31.085 ms when handle() ends, <= 34.92 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 7}};
@@ -101,7 +101,7 @@ inline constexpr finemote::Port<finemote::Thruster> rov_thrusters[] = {
 }  // namespace ports
 
 /// rov: finsrov, every 10 ms
-/// response <= 805.25 us
+/// response <= 805.137 us
 FINEMOTE_CONSTINIT inline finemote::FinsRov rov{
     finemote::FinsRov::Config{},
     constants::rov_allocation,

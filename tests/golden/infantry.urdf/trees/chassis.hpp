@@ -18,19 +18,19 @@
 namespace infantry::chassis {
 
 /// front_left: dji_m3508 on 'wheel_can' id 1, every 5 ms
-/// response <= 269.401 us; data age <= 26.534 ms when handle() ends, <= 26.936 ms at the output (oldest: remote)
+/// response <= 269.449 us; data age <= 26.534 ms when handle() ends, <= 26.936 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{finemote::DjiM3508::Config{}, slots::front_left};
 
 /// front_right: dji_m3508 on 'wheel_can' id 2, every 5 ms
-/// response <= 264.984 us; data age <= 26.53 ms when handle() ends, <= 26.936 ms at the output (oldest: remote)
+/// response <= 265.032 us; data age <= 26.53 ms when handle() ends, <= 26.936 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{finemote::DjiM3508::Config{}, slots::front_right};
 
 /// rear_left: dji_m3508 on 'wheel_can' id 3, every 5 ms
-/// response <= 260.561 us; data age <= 26.525 ms when handle() ends, <= 26.936 ms at the output (oldest: remote)
+/// response <= 260.609 us; data age <= 26.525 ms when handle() ends, <= 26.936 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{finemote::DjiM3508::Config{}, slots::rear_left};
 
 /// rear_right: dji_m3508 on 'wheel_can' id 4, every 5 ms
-/// response <= 256.143 us; data age <= 26.521 ms when handle() ends, <= 26.936 ms at the output (oldest: remote)
+/// response <= 256.191 us; data age <= 26.521 ms when handle() ends, <= 26.936 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{finemote::DjiM3508::Config{}, slots::rear_right};
 
 namespace ports {  // what 'chassis' sees of others
@@ -46,7 +46,7 @@ inline constexpr finemote::Port<finemote::Motor> chassis_wheels[] = {
 }  // namespace ports
 
 /// chassis: mecanum_chassis, every 5 ms
-/// response <= 251.72 us
+/// response <= 251.768 us
 FINEMOTE_CONSTINIT inline finemote::MecanumChassis chassis{
     [] { finemote::MecanumChassis::Config c{}; c.kp = 0.8f; c.ki = 1.0f; return c; }(),
     constants::chassis_rolling,

@@ -19,37 +19,37 @@
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 366.416 us
+/// response <= 366.512 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 202.575 us; data age <= 28.883 ms when handle() ends, <= 29.2 ms at the output (oldest: sticks)
+/// response <= 202.647 us; data age <= 28.883 ms when handle() ends, <= 29.2 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 192.744 us; data age <= 28.873 ms when handle() ends, <= 29.194 ms at the output (oldest: sticks)
+/// response <= 192.792 us; data age <= 28.873 ms when handle() ends, <= 29.195 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 188.321 us; data age <= 28.869 ms when handle() ends, <= 29.194 ms at the output (oldest: sticks)
+/// response <= 188.369 us; data age <= 28.869 ms when handle() ends, <= 29.195 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
     slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 183.904 us; data age <= 28.864 ms when handle() ends, <= 29.194 ms at the output (oldest: sticks)
+/// response <= 183.952 us; data age <= 28.864 ms when handle() ends, <= 29.195 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{finemote::DjiM3508::Config{}, slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 179.48 us; data age <= 28.86 ms when handle() ends, <= 29.194 ms at the output (oldest: sticks)
+/// response <= 179.528 us; data age <= 28.86 ms when handle() ends, <= 29.195 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{finemote::DjiM2006::Config{}, slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 175.063 us; data age <= 28.855 ms when handle() ends, <= 29.194 ms at the output (oldest: sticks)
+/// response <= 175.111 us; data age <= 28.855 ms when handle() ends, <= 29.195 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, slots::flange};
 
 namespace ports {  // what 'arm' sees of others
@@ -67,7 +67,7 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 }  // namespace ports
 
 /// arm: serial_arm, every 2 ms
-/// response <= 170.64 us
+/// response <= 170.688 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
     [] {
       finemote::SerialArm::Config c{};
