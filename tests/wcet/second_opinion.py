@@ -34,6 +34,7 @@ FLOATS = 0x4003_0000  # up to it all of them lie, and above it what may be a flo
 EXPLAINED = {
     "__udivmoddi4": "a pointer comes on the stack, as an argument: the tool lets it lead anywhere",
     "_ZNK8finemote12UartHardware5driveEb": "the address of a register, computed from a byte: its bus is the tool's knowledge",
+    "_ZNK8finemote7I2cPort10lines_freeEv": "the address of a register, computed from a byte: its bus is the tool's knowledge",
 }
 LINE = re.compile(r"^\s*([0-9a-f]+):\t([0-9a-f ]+?)\s*\t(\S+)(?:\t(.*))?$")
 
