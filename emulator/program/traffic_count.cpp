@@ -6,19 +6,6 @@ namespace finemote::emulator {
 
 using Json = nlohmann::ordered_json;
 
-TrafficCount::TrafficCount(Board& board, std::vector<std::string> ports)
-    : board_(board),
-      ports_(std::move(ports)),
-      begin_ns_(board.now_ns()),
-      before_(of_ports()),
-      exceptions_before_(board.own_times().exceptions()) {}
-
-std::vector<BusStatistics> TrafficCount::of_ports() const {
-  std::vector<BusStatistics> all;
-  for (const std::string& port : ports_) all.push_back(board_.bus(port));
-  return all;
-}
-
 namespace {
 
 /// `[address, data bytes]` of every kind of transfer that came in between.
@@ -32,6 +19,19 @@ Json new_lengths(const BusStatistics& now, const BusStatistics& before) {
 }
 
 }  // namespace
+
+TrafficCount::TrafficCount(Board& board, std::vector<std::string> ports)
+    : board_(board),
+      ports_(std::move(ports)),
+      begin_ns_(board.now_ns()),
+      before_(of_ports()),
+      exceptions_before_(board.own_times().exceptions()) {}
+
+std::vector<BusStatistics> TrafficCount::of_ports() const {
+  std::vector<BusStatistics> all;
+  for (const std::string& port : ports_) all.push_back(board_.bus(port));
+  return all;
+}
 
 Json TrafficCount::document() const {
   Json ports = Json::array(), exceptions = Json::array();

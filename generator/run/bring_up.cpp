@@ -13,7 +13,7 @@ constexpr std::int64_t kMostSetUpJobs = 20;
 /// More is not waited for a part that may never come.
 constexpr Duration kLongestSetUp = seconds(100);
 
-/// A part that is asked, or an expander, is set up step by step.
+/// A sensor, or what is on an expander: each job takes the set-up one step on, or the first data.
 bool is_set_up_by_jobs(const Robot& robot, const Device& device) {
   if (device.type->acquisition) return true;
   const std::vector<Connection> connections = connections_of(device);

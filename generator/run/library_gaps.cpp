@@ -43,12 +43,6 @@ bool is_of_library(const wcet::TimeGap& gap, const SourceLines& lines, const Sou
   return line && names.is_of_library(line->file);
 }
 
-void move_to_caller(wcet::TimeGap& gap) {
-  gap.address = gap.calls.front().address;
-  gap.function = gap.calls.front().function;
-  gap.calls.erase(gap.calls.begin());
-}
-
 }  // namespace
 
 std::vector<wcet::TimeGap> blame_callers_of_libraries(const std::vector<wcet::TimeGap>& gaps, const SourceLines& lines,

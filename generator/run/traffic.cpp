@@ -131,6 +131,9 @@ std::vector<std::string> devices_on(const Robot& robot, BusId bus, bool builtin)
   return names;
 }
 
+constexpr const char* kWhyDeclared =
+    "bounds of chains over this bus, and of what its interrupts delay, are made from what is declared";
+
 void report_long(const Robot& robot, const MeasuredTraffic& traffic, Diagnostics& diagnostics) {
   for (const LongTransfer& transfer : traffic.too_long) {
     const Device& device = robot.devices[transfer.device];
@@ -139,7 +142,7 @@ void report_long(const Robot& robot, const MeasuredTraffic& traffic, Diagnostics
                fmt::format("device '{}' moves {} bytes in one transfer over bus '{}'; its type declares {} at most",
                            device.name.text, transfer.bytes.seen, robot.buses[traffic.bus].name.text,
                            *transfer.bytes.most))
-        .note("bounds of chains over this bus, and of what its interrupts delay, are made from what is declared")
+        .note(kWhyDeclared)
         .hint(fmt::format("let 'frames' in the descriptor of '{}' say the bytes of its longest transfer",
                           device.type->name));
   }
@@ -158,7 +161,7 @@ bool check(const Robot& robot, const MeasuredTraffic& traffic, Diagnostics& diag
   auto& finding = diagnostics.error(code::undeclared_traffic, bus.at,
                                     fmt::format("more goes over bus '{}' than its devices declare: in {} {}",
                                                 bus.name.text, time(traffic.window), fmt::join(said, "; ")));
-  finding.note("bounds of chains over this bus, and of what its interrupts delay, are made from what is declared");
+  finding.note(kWhyDeclared);
   const std::vector<std::string> own = devices_on(robot, traffic.bus, false);
   if (own.empty()) return false;
   finding.hint(fmt::format("let 'frames' in the descriptors of {} say all that they and their parts send",

@@ -204,7 +204,7 @@ void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const Wir
 
 /// Frames of one slot that may be under way: in the mailboxes of the controller, and in the slot.
 std::int64_t Traffic::under_way(BusPlace bus) const {
-  constexpr std::size_t kOfBxCan = 3;  // where the board does not say: RM0090 32.3.5
+  constexpr std::size_t kOfBxCan = 3;  // where the board does not say: RM0090 32.7.1
   return static_cast<std::int64_t>(std::max(mailboxes_of(robot_, places_.buses()[bus]), kOfBxCan)) + 1;
 }
 

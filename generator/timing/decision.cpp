@@ -6,6 +6,28 @@
 #include "generator/units/hyperperiod.hpp"
 
 namespace finemote::gen::timing {
+namespace {
+
+/// Depth first up to the root: what `finish` makes of each device goes into `found`, after that of all its consumers.
+template <class Of, class Finish>
+void consumers_first(const Reach& reach, Rank from, Rank root, std::map<Rank, Of>& found, const Finish& finish) {
+  std::vector<std::pair<Rank, std::size_t>> stack{{from, 0}};
+  while (!stack.empty()) {
+    auto& [device, next] = stack.back();
+    if (found.contains(device)) {
+      stack.pop_back();
+    } else if (device == root || next == reach.consumers(device).size()) {
+      found.emplace(device, finish(device));
+      stack.pop_back();
+    } else {
+      const Rank consumer = reach.consumers(device)[next++];
+      stack.emplace_back(consumer, 0);
+    }
+  }
+}
+
+}  // namespace
+
 /// The devices of a chain: down from the root to the terminal, and everything between the source and the root.
 struct DecisionAnalysis::Route {
   Rank from, to;
@@ -44,22 +66,13 @@ DecisionAnalysis::Route DecisionAnalysis::route(Rank from, Rank to) const {
   while (model_.devices[r.down.back()].parent) r.down.push_back(*model_.devices[r.down.back()].parent);
   std::reverse(r.down.begin(), r.down.end());
   const Rank root = r.down.front();
-  // Depth first from the source; a device is finished after all its consumers, and kept when the root is above it.
   std::map<Rank, bool> reaches;
-  std::vector<std::pair<Rank, std::size_t>> stack{{from, 0}};
-  while (!stack.empty()) {
-    auto& [device, next] = stack.back();
-    if (device == root || next == reach_.consumers(device).size()) {
-      bool good = device == root;
-      for (const Rank c : reach_.consumers(device)) good |= device != root && reaches[c];
-      reaches[device] = good;
-      if (good) r.up.push_back(device);
-      stack.pop_back();
-      continue;
-    }
-    const Rank consumer = reach_.consumers(device)[next++];
-    if (!reaches.contains(consumer)) stack.emplace_back(consumer, 0);
-  }
+  consumers_first(reach_, from, root, reaches, [&](Rank device) {  // kept when the root is above it
+    bool good = device == root;
+    for (const Rank c : reach_.consumers(device)) good |= device != root && reaches[c];
+    if (good) r.up.push_back(device);
+    return good;
+  });
   std::map<Rank, std::size_t> place;
   for (const Rank device : r.up) {
     auto& list = r.consumers.emplace_back();
@@ -197,7 +210,6 @@ Duration DecisionAnalysis::closed_form(const Route& r) const {
   return age + oldest.back() + profile_.responses.r_minus[r.to];
 }
 
-/// Depth first from the sources: a device is finished after all its consumers.
 std::map<Rank, DecisionAnalysis::WayUp> DecisionAnalysis::ways_up(Rank root, const std::vector<Rank>& sources) const {
   std::map<Rank, WayUp> ways;
   const auto finished = [&](Rank device) {
@@ -216,21 +228,7 @@ std::map<Rank, DecisionAnalysis::WayUp> DecisionAnalysis::ways_up(Rank root, con
     if (!way.reaches) way.age = std::nullopt;
     return way;
   };
-  std::vector<std::pair<Rank, std::size_t>> stack;
-  for (const Rank source : sources) {
-    stack.emplace_back(source, 0);
-    while (!stack.empty()) {
-      auto& [device, next] = stack.back();
-      if (ways.contains(device)) {
-        stack.pop_back();
-      } else if (device == root || next == reach_.consumers(device).size()) {
-        ways.emplace(device, finished(device));
-        stack.pop_back();
-      } else {
-        stack.emplace_back(reach_.consumers(device)[next++], 0);
-      }
-    }
-  }
+  for (const Rank source : sources) consumers_first(reach_, source, root, ways, finished);
   return ways;
 }
 

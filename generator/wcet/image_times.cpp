@@ -33,10 +33,10 @@ std::string asked_of(const std::string& function) {
 
 /// Arithmetic on 'double' is what its caller does, wherever in it the way was lost.
 void blame_caller(TimeGap& gap) {
-  for (std::string why; !gap.calls.empty() && !(why = asked_of(gap.function)).empty();) {
-    gap.address = gap.calls.front().address;
-    gap.function = gap.calls.front().function;
-    gap.calls.erase(gap.calls.begin());
+  while (!gap.calls.empty()) {
+    const std::string why = asked_of(gap.function);
+    if (why.empty()) return;
+    move_to_caller(gap);
     gap.why = why;
   }
 }
@@ -166,6 +166,12 @@ class Timing {
 };
 
 }  // namespace
+
+void move_to_caller(TimeGap& gap) {
+  gap.address = gap.calls.front().address;
+  gap.function = gap.calls.front().function;
+  gap.calls.erase(gap.calls.begin());
+}
 
 Placement placement_of(const Image& image) {
   constexpr std::uint32_t kFlash = 0x0800'0000;

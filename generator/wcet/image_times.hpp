@@ -67,6 +67,9 @@ struct TimeGap {
   std::vector<CodePlace> calls = {};  ///< that lead there, innermost first; others may, too
 };
 
+/// It is where the innermost call is. There is one.
+void move_to_caller(TimeGap& gap);
+
 /// Routines with a gap have no entry.
 struct ImageTimes {
   std::vector<RoutineTime> routines;  ///< by exception
